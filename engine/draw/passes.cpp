@@ -60,6 +60,14 @@ class DeferredPasses {
     return std::move(passes_);
   }
 
+  [[nodiscard]] std::vector<Pass> ofLight() && {
+    for (std::size_t group = 0; group < list_.groups.size(); ++group) {
+      shade(group);
+      drawAgain(group);
+    }
+    return std::move(passes_);
+  }
+
  private:
   /// What light may ask of a point.
   [[nodiscard]] std::vector<Target> foundTargets() const {
@@ -258,6 +266,7 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
 }  // namespace
 
 std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
+  if (frame.relights) return DeferredPasses(list, frame, false).ofLight();
   const Opaque opaque = opaqueOf(list);
   const bool searches = list.exact();
   std::vector<Pass> passes;

@@ -52,6 +52,7 @@ struct FrameDesc {
   /// Points that rays have found for the last frame. Where something was drawn over what was found, that is
   /// drawn again.
   const RayPoints* rays = nullptr;
+  bool relights = false;     ///< what was found is lit again, and nothing else
   bool emptyPasses = false;  ///< passes with nothing to draw are there, too
   bool probes = false;
   std::uint32_t layerBands = 1;  ///< LayerLists::bands()

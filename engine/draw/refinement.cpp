@@ -2,6 +2,7 @@
 #include "draw/refinement.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -31,19 +32,27 @@ void Refinement::begin(const Snapshot& snapshot, const DrawOptions& options, std
   goesOn_ = std::move(goesOn);
   next_ = &Refinement::draw;
   trial_ = Trial::Usual;
+  before_.reset();
+  if (std::exchange(complete_, false)) before_.emplace(std::move(points_), statistics_.error);
   points_ = {};
   statistics_ = {};
 }
 
 auto Refinement::advance(const Submit& submit) -> std::optional<Rays> {
-  while (next_)
+  while (next_) {
     if (std::optional<Rays> rays = (this->*std::exchange(next_, nullptr))(submit)) return rays;
+    complete_ = !next_;
+  }
   return std::nullopt;
 }
 
 auto Refinement::draw(const Submit& submit) -> std::optional<Rays> {
   if (trial_ != Trial::ByRays) search(submit);
   next_ = &Refinement::trace;
+  if (const auto before = std::exchange(before_, std::nullopt); before && view_->relit()) {
+    std::tie(points_, statistics_.error) = *before;
+    return std::nullopt;
+  }
   if (!view_->searches() && !view_->list().findsShadows()) return std::nullopt;
   next_ = &Refinement::place;
   points_ = {};

@@ -2,12 +2,11 @@
 // How a picture becomes right, and when it is: one protocol for files, for the samples of a mean, and for a
 // window.
 //
-//   1. It is drawn.
+//   1. It is drawn. Where it finds what the last one has found (draw/found_alike.h), 4 is next.
 //   2. Rays find what its searches have left in doubt (CertifiedRays), and their points are drawn.
 //   3. Rays audit some of its pixels. Where they find one wrong, or something is still open, all that again:
-//   with nothing
-//      skipped, then with finer shells as well, at last with rays for all pixels. What is left then is
-//      counted as not converged.
+//      with nothing skipped, then with finer shells as well, at last with rays for all pixels. What is left
+//      then is counted as not converged.
 //   4. Rays answer what shaders of materials ask of the scene, and it is lit again, until none asks more.
 //
 // The device's part and that of rays take turns, so that a window may do the latter beside itself.
@@ -16,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "draw/options.h"
@@ -92,6 +92,10 @@ class Refinement {
   std::function<bool()> goesOn_;
   Step next_ = nullptr;
   Trial trial_ = Trial::Usual;
+  bool complete_ = false;
+  /// Of the picture before, which is as right as it gets, until it is known whether this one has found as
+  /// much.
+  std::optional<std::pair<RayPoints, FrameError>> before_;
   CertifiedRays rays_;
   RayPoints points_;
   AuditResult audit_;

@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "draw/found_alike.h"
+
 namespace luxo {
 namespace {
 
@@ -135,6 +137,8 @@ bool RenderView::makeRoomFor(const RayPoints& points) {
 
 void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearColorValue& background,
                        VkExtent2D extent) {
+  recordedBefore_.reset();
+  relit_ = false;
   list_ = std::move(list);
   options_ = options;
   background_ = background;
@@ -157,6 +161,22 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                            .memory = gpu::MemoryUse::Readback,
                            .name = "faults of shaders"});
   feedback_.begin(list_, extent, chooseProbes());
+  upload(!options_.skips.unchanged);
+}
+
+bool RenderView::hasFound(const DrawList& list, const DrawOptions& options, VkExtent2D extent,
+                          const gpu::FrameRing& frames) const {
+  const VkExtent2D held = targets_.extent();
+  return recordedBefore_ == frames.thrownAway() && options_ == options && held.width == extent.width &&
+         held.height == extent.height && findsAlike(list_, list);
+}
+
+void RenderView::relight(DrawList list, const VkClearColorValue& background) {
+  recordedBefore_.reset();
+  relit_ = true;
+  list_ = std::move(list);
+  background_ = background;
+  feedback_.goOn();
   upload(!options_.skips.unchanged);
 }
 

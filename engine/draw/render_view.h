@@ -3,7 +3,9 @@
 // drawn to, and what its searches have told and taught. All else is shared by views (scene_painter.h).
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "draw/draw_list.h"
@@ -52,6 +54,8 @@ class RenderView {
   [[nodiscard]] bool makeRoomFor(const RayPoints& points);
   /// Whether it finds surfaces, by searches or by rays.
   [[nodiscard]] bool searches() const { return !list_.found.empty() || !list_.layers.found.empty(); }
+  /// Whether the last recording has lit again what the one before it has found.
+  [[nodiscard]] bool relit() const { return relit_; }
   /// What shaders of materials do that they must not, in the last recording, which has to be complete: of all
   /// points that were lit, be they seen or not.
   [[nodiscard]] shared::ShaderFaults shaderFaults();
@@ -65,6 +69,14 @@ class RenderView {
              VkExtent2D extent);
   /// The last one goes on with points that rays have found.
   void goOn(const RayPoints& points);
+  /// What the last one has found stays, as that is all that these draws would find (draw/found_alike.h): it
+  /// is lit again.
+  void relight(DrawList list, const VkClearColorValue& background);
+  /// Whether that may be, and the targets hold it: nothing of it was in a recording that was thrown away.
+  [[nodiscard]] bool hasFound(const DrawList& list, const DrawOptions& options, VkExtent2D extent,
+                              const gpu::FrameRing& frames) const;
+  /// All of the last one is recorded.
+  void recorded(const gpu::FrameRing& frames) { recordedBefore_ = frames.thrownAway(); }
 
   /// What draws read, in an open recording.
   struct Bindings {
@@ -124,7 +136,8 @@ class RenderView {
   Uploads uploads_;
   MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerLights_,
       rayLayerDetails_;
-  bool hasRays_ = false;
+  bool hasRays_ = false, relit_ = false;
+  std::optional<std::uint64_t> recordedBefore_;  ///< so many were thrown away
 };
 
 }  // namespace luxo

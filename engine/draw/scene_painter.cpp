@@ -72,10 +72,15 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
   pipelines_.beginPicture();
   preparePipelines(list, view.targets().format(static_cast<VkSampleCountFlagBits>(options.samples)));
   store_.dropUnused();
-  view.begin(std::move(list), options, backgroundOf(snapshot, options.output),
-             {static_cast<std::uint32_t>(snapshot.view.size.width),
-              static_cast<std::uint32_t>(snapshot.view.size.height)});
-  recordPasses(frames, commands, view, {}, statistics);
+  const VkExtent2D extent{static_cast<std::uint32_t>(snapshot.view.size.width),
+                          static_cast<std::uint32_t>(snapshot.view.size.height)};
+  const VkClearColorValue background = backgroundOf(snapshot, options.output);
+  if (options.skips.unchanged && view.hasFound(list, options, extent, frames))
+    view.relight(std::move(list), background);
+  else
+    view.begin(std::move(list), options, background, extent);
+  recordPasses(frames, commands, view, {.relights = view.relit()}, statistics);
+  view.recorded(frames);
 
   context_->counted().shadersCompiled += pipelines_.programs().takeCompiled();
   const gpu::Counters after = context_->counters();

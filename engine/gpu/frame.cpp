@@ -38,6 +38,7 @@ void FrameRing::drop() {
 
 VkCommandBuffer FrameRing::begin() {
   requireRoomForShaders("draw");  // which compiles what the first drawing with a pipeline needs
+  if (recording_) ++thrownAway_;
   if (!recording_) slot_ = (slot_ + 1) % kFrames;
   drop();
   Frame& frame = frames_[slot_];

@@ -34,6 +34,8 @@ class FrameRing {
   /// Waits for this slot's earlier submission, destroys what was dropped and is done, and begins to record. A
   /// recording that was begun and not submitted is thrown away (the tracked uses of its resources are not).
   VkCommandBuffer begin();
+  /// How many that was so far.
+  [[nodiscard]] std::uint64_t thrownAway() const noexcept { return thrownAway_; }
 
   /// Which set of per-frame resources the open recording may write: 0 .. kFrames - 1.
   [[nodiscard]] std::size_t slot() const noexcept { return slot_; }
@@ -88,6 +90,7 @@ class FrameRing {
   std::array<Frame, kFrames> frames_;
   std::size_t slot_ = kFrames - 1;
   bool recording_ = false;
+  std::uint64_t thrownAway_ = 0;
 };
 
 }  // namespace luxo::gpu

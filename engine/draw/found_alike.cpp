@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draw/found_alike.h"
+
+#include <algorithm>
+#include <cstring>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+namespace luxo {
+namespace {
+
+/// Bit by bit. Bytes between members may differ without a reason: then no.
+template <class T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+template <class T>
+bool sameBits(const T& a, const T& b) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+bool same(const DrawBatch& a, const DrawBatch& b) {
+  const auto members = [](const DrawBatch& batch) {
+    return std::tie(batch.state, batch.again, batch.mesh, batch.shell, batch.firstIndex, batch.indexCount,
+                    batch.parts, batch.culling, batch.half, batch.shared, batch.flat, batch.twoSided,
+                    batch.bothSides, batch.frontOnly, batch.mirrored, batch.lightSet, batch.firstInstance,
+                    batch.instanceCount);
+  };
+  return members(a) == members(b);
+}
+
+bool same(const FoundNode& a, const FoundNode& b) {
+  return a.node == b.node && a.lightSet == b.lightSet && a.state == b.state &&
+         sameBits(a.instance, b.instance);
+}
+
+bool same(const CasterDraw& a, const CasterDraw& b) {
+  return a.state == b.state && a.caster == b.caster && a.area == b.area;
+}
+
+bool same(const FlatShadowDraw& a, const FlatShadowDraw& b) {
+  return a.state == b.state && a.mesh == b.mesh && sameBits(a.shadow, b.shadow) &&
+         sameBits(a.caster, b.caster);
+}
+
+bool same(const PlacedNode& a, const PlacedNode& b) { return a.node == b.node && a.material == b.material; }
+
+bool same(const LightGroup& a, const LightGroup& b);
+
+template <class T>
+bool same(const std::vector<T>& a, const std::vector<T>& b) {
+  return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
+}
+
+/// Which lights they are of, and what finds their shadows.
+bool same(const LightGroup& a, const LightGroup& b) {
+  return a.lightSet == b.lightSet && a.plainLights == b.plainLights && a.shadedLights == b.shadedLights &&
+         a.spots == b.spots && a.lights == b.lights && same(a.shadows, b.shadows) &&
+         same(a.flatShadows, b.flatShadows);
+}
+
+bool same(const Casters& a, const Casters& b) {
+  return sameBits(a.closed, b.closed) && sameBits(a.meshes, b.meshes) && sameBits(a.casters, b.casters) &&
+         a.gridStarts == b.gridStarts && sameBits(a.gridEntries, b.gridEntries) &&
+         sameBits(a.cells, b.cells) && sameBits(a.parameters, b.parameters);
+}
+
+/// What finds points asks of a material whether it lets something through, and where it ends.
+bool findAlike(const shared::MaterialData& a, const shared::MaterialData& b) {
+  return a.flags == b.flags && a.blend == b.blend && a.opacity == 0 && b.opacity == 0 && a.leastOpaque == 0 &&
+         b.leastOpaque == 0 && (a.pattern == shared::kDrawnAgain) == (b.pattern == shared::kDrawnAgain);
+}
+
+/// Whether what one group's passes find is left as it is by those of the others.
+bool keepsWhatItFinds(const DrawList& list) {
+  const bool reads =
+      std::ranges::any_of(list.opaque, [](const DrawBatch& b) { return b.state.pattern.valid(); });
+  const bool drawsOver =
+      !list.transparent.empty() ||
+      std::ranges::any_of(list.opaque, [](const DrawBatch& b) { return b.state.form == Form::Fused; });
+  return list.deferred && !drawsOver && !list.layers.any() && !list.traces && !list.hasLightMaps() &&
+         !list.findsTransmittances() && (list.groups.size() == 1 || !list.findsShadows()) && !reads;
+}
+
+}  // namespace
+
+bool findsAlike(const DrawList& last, const DrawList& next) {
+  const auto facts = [](const DrawList& list) {
+    return std::tie(list.origin, list.instanceNodes, list.shellIndices, list.byRays, list.shadowsByRays,
+                    list.outlines, list.tooLarge, list.findsParameters, list.findsFootprints,
+                    list.findsFrames, list.occludes, list.runsShaders, list.findsPlaces, list.boundPx);
+  };
+  return keepsWhatItFinds(last) && keepsWhatItFinds(next) && facts(last) == facts(next) &&
+         sameBits(last.view, next.view) && sameBits(last.instances, next.instances) &&
+         sameBits(last.exactInstances, next.exactInstances) &&
+         sameBits(last.exactPatches, next.exactPatches) &&
+         sameBits(last.exactParameters, next.exactParameters) && sameBits(last.lightSets, next.lightSets) &&
+         same(last.opaque, next.opaque) && same(last.found, next.found) && same(last.places, next.places) &&
+         same(last.placed, next.placed) && same(last.groups, next.groups) &&
+         same(last.casters, next.casters) && std::ranges::equal(last.materials, next.materials, findAlike);
+}
+
+}  // namespace luxo

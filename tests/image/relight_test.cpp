@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// A picture that differs from the last one in its materials alone is lit again, and nothing of it is found
+// again; any other one is drawn as if there had been none.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "draw/scene_painter.h"
+#include "support/meshes.h"
+#include "support/picture.h"
+#include "surface/catalogue.h"
+
+namespace luxo::test {
+namespace {
+
+constexpr PixelSize kRelightSize{96, 72};
+
+std::shared_ptr<const Texture> chequered(float dark) {
+  Image image(4, 4, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const float value = (x + y) % 2 ? dark : 1;
+      for (int c = 0; c < 3; ++c) image.pixel(x, y)[static_cast<std::size_t>(c)] = value;
+      image.pixel(x, y)[3] = x == 1 && y == 2 ? 0.0f : 1.0f;
+    }
+  return std::make_shared<const Texture>(makeTexture(image, "chequered"));
+}
+
+/// What is edited between two pictures.
+struct Room {
+  std::vector<Material> materials{{.diffuse = {0.7, 0.6, 0.5}},
+                                  {.diffuse = {0.8, 0.2, 0.1}, .specular = Vec3(0.3)},
+                                  {.diffusePattern = pattern([](auto u, auto v) {
+                                     return point(0.5 + 0.5 * sin(20.0 * u), 0.5, 0.5 + 0.5 * sin(20.0 * v));
+                                   })},
+                                  {.diffuse = Vec3(1), .map = {.texture = chequered(0.2f)}}};
+  Light light{.intensity = 0.8, .shadow = Light::Shadow::Exact};
+  Vec3 lightAt{3, 5, 4}, ballAt{1.1, 0.2, 0.4};
+  Vec3 ambient{0.2}, background{0.1, 0.15, 0.2};
+  Camera camera{.eye = Vec3(2.5, 2.2, 4.5), .lookAt = Vec3(0, -0.2, 0)};
+  DrawOptions options;
+
+  [[nodiscard]] Snapshot snapshot() const {
+    Scene scene;
+    scene.set(RenderSettings{.background = background, .ambient = ambient});
+    std::vector<MaterialId> ids;
+    for (const Material& material : materials) ids.push_back(scene.add(material));
+    scene.add(Node{.translation = Vec3(0, -1, 0), .surface = rectangle(8, 8), .material = ids[0]});
+    scene.add(Node{.rotation = Rotation{{1, 0.3, 0}, 0.9}, .surface = torus(0.8, 0.3), .material = ids[1]});
+    scene.add(Node{.translation = ballAt, .surface = makeSurface("superellipsoid"), .material = ids[2]});
+    scene.add(Node{.translation = Vec3(-1.5, 0, -0.5), .surface = icosphere(2), .material = ids[3]});
+    scene.add(Node{.translation = lightAt, .light = light});
+    return takeSnapshot(scene, 0, kRelightSize, camera);
+  }
+};
+
+using Edit = std::function<void(Room&)>;
+
+/// Of what lights.
+std::vector<Edit> paintings() {
+  return {[](Room& r) {
+            r.materials[0].diffuse = {0.1, 0.9, 0.3};
+          },
+          [](Room& r) { r.materials[0].specular = Vec3(0.4); },
+          [](Room& r) { r.materials[1].shininess = 3; },
+          [](Room& r) { r.materials[1].ambient = Vec3(0.9, 0, 0); },
+          [](Room& r) {
+            r.materials[2].diffusePattern = pattern([](auto u, auto) { return point(u, u * u, 0.5); });
+          },
+          [](Room& r) { r.materials[3].map.texture = chequered(0.6f); },
+          [](Room& r) { r.materials[3].diffuse = Vec3(0.5, 1, 1); },
+          [](Room& r) { r.ambient = Vec3(0.4, 0.3, 0.1); },
+          [](Room& r) { r.background = Vec3(0.5, 0, 0); }};
+}
+
+/// Of what is found, of shadows, of how.
+std::vector<Edit> others() {
+  return {
+      [](Room& r) { r.materials[1].opacity = r.materials[1].opacity == 1 ? 0.5 : 1; },
+      [](Room& r) { r.materials[3].mapOpacity = !r.materials[3].mapOpacity; },
+      [](Room& r) {
+        r.materials[3].mapOpacity = true;
+        r.materials[3].cutoff = r.materials[3].cutoff == 0 ? 0.5 : 0;
+      },
+      [](Room& r) { r.materials[0].twoSided = TwoSided::No; },
+      [](Room& r) { r.materials[1].shading = Shading::Phong; },
+      [](Room& r) { r.materials[1].shading = Shading::Gouraud; },
+      [](Room& r) { r.materials[1].shading.reset(); },
+      [](Room& r) { r.light.intensity = r.light.intensity.at(0) + 0.1; },
+      [](Room& r) { r.light.radius = r.light.radius.at(0) == 0 ? 0.3 : 0; },
+      [](Room& r) {
+        r.light.shadow = r.light.shadow == Light::Shadow::Exact ? Light::Shadow::Map : Light::Shadow::Exact;
+      },
+      [](Room& r) { r.lightAt.x -= 0.3; },
+      [](Room& r) { r.ballAt.y += 0.1; },
+      [](Room& r) { r.camera.eye = r.camera.eye.at(0) + Vec3(0.1, 0, 0); },
+      [](Room& r) { r.options.output = r.options.output == Output::Color ? Output::Normal : Output::Color; },
+      [](Room& r) { r.options.samples = 5 - r.options.samples; },
+      [](Room& r) { r.options.skips.hidden = !r.options.skips.hidden; },
+      [](Room& r) {
+        r.options.shading = r.options.shading == Shading::Exact ? Shading::Phong : Shading::Exact;
+      }};
+}
+
+class Relighting : public PictureTest {
+ protected:
+  Picture anew(const Room& room) {
+    Renderer fresh(context());
+    return fresh.render(room.snapshot(), room.options);
+  }
+};
+
+TEST_F(Relighting, WhereMaterialsAloneChangeNothingIsFoundAgain) {
+  Room room;
+  const FrameError first = renderer().render(room.snapshot(), room.options).statistics.error;
+  EXPECT_GT(first.resolvedByRaysPx + first.auditedPx, 0U);
+  const std::vector<Edit> edits = paintings();
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    SCOPED_TRACE(i);
+    edits[i](room);
+    const Picture again = renderer().render(room.snapshot(), room.options), fresh = anew(room);
+    EXPECT_TRUE(sameBytes(again.image, fresh.image));
+    const FrameCounts& count = again.statistics.count;
+    EXPECT_EQ(count.submits, 1U);
+    EXPECT_EQ(count.passes, 1U);
+    EXPECT_EQ(count.triangles, count.drawCalls);  // one each, over all that was found
+    EXPECT_EQ(count.shadowPasses, 0U);
+    EXPECT_EQ(count.tessellated, 0U);
+    EXPECT_GT(fresh.statistics.count.shadowPasses, 0U);
+    const FrameError &error = again.statistics.error, &expected = fresh.statistics.error;
+    EXPECT_EQ(error.resolvedByRaysPx, expected.resolvedByRaysPx);
+    EXPECT_EQ(error.shadowRaysPx, expected.shadowRaysPx);
+    EXPECT_EQ(error.auditedPx, expected.auditedPx);
+    EXPECT_EQ(error.residualMaxPx, expected.residualMaxPx);
+    EXPECT_EQ(error.unconvergedPx, 0U);
+  }
+}
+
+TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {
+  std::mt19937 random(5);
+  const std::vector<Edit> paints = paintings(), finds = others();
+  for (int chain = 0; chain < 6; ++chain) {
+    Room room;
+    if (chain % 3 == 1) room.light.shadow = Light::Shadow::None;
+    if (chain % 2 == 1) room.options.composition = Composition::Deferred;
+    for (int step = 0; step < 14; ++step) {
+      const bool paint = random() % 2 == 0;
+      const std::size_t which = random() % (paint ? paints : finds).size();
+      (paint ? paints : finds)[which](room);
+      SCOPED_TRACE(std::to_string(chain) + ", " + std::to_string(step) + (paint ? ": paint " : ": other ") +
+                   std::to_string(which));
+      const Picture picture = renderer().render(room.snapshot(), room.options);
+      ASSERT_TRUE(sameBytes(picture.image, anew(room).image));
+    }
+  }
+}
+
+// Its targets hold nothing.
+TEST_F(Relighting, NothingIsLitAgainThatWasInARecordingThrownAway) {
+  gpu::FrameRing frames(context());
+  ScenePainter painter(context());
+  RenderView view(context(), Precision::Full);
+  gpu::Readback readback(context(), {kRelightSize.width, kRelightSize.height}, VK_FORMAT_R32G32B32A32_SFLOAT);
+  Room room;
+  room.options.audit = {.extent = AuditExtent::None};
+  const auto record = [&](bool submitted) {
+    const VkCommandBuffer commands = frames.begin();
+    FrameStatistics statistics;
+    painter.record(frames, commands, view, room.snapshot(), room.options, statistics);
+    readback.record(commands, view.picture());
+    if (submitted) frames.wait(frames.submit());
+    return statistics.count.passes;
+  };
+  const std::uint64_t all = record(true);
+  EXPECT_GT(all, 2U);
+  paintings()[0](room);
+  EXPECT_EQ(record(true), 1U);
+  room.ballAt.x += 0.2;
+  EXPECT_EQ(record(false), all);
+  EXPECT_EQ(record(true), all);
+  paintings()[1](room);
+  EXPECT_EQ(record(true), 1U);
+  EXPECT_EQ(frames.thrownAway(), 1U);
+}
+
+}  // namespace
+}  // namespace luxo::test
