@@ -116,11 +116,15 @@ class ShadowLister {
     return light;
   }
 
-  /// Of the opaque ones: light that gets through others is exact. Of a light's point it is the light's.
+  /// Of the opaque ones: light that gets through others is exact. Of a light's point it is the light's. None
+  /// where no caster can be between the light and what is seen; a wide light is in many places.
   void mapOf(SnapshotLight light) {
-    if (light.pointOf) light.positionWorld = light.pointOf->middle;
+    const bool isWide = light.pointOf.has_value();
+    if (isWide) light.positionWorld = light.pointOf->middle;
     const std::vector<const SnapshotNode*> casters =
         castersOf(light, [&](const SnapshotNode& node) { return !materialOf(node).letsLightThrough(); });
+    const auto reaches = [&](const SnapshotNode* node) { return reachesWhatIsSeen(light, *node); };
+    if (!isWide && std::ranges::none_of(casters, reaches)) return;
     group_->map = listLightMap(light, casters, receivers_, list_.origin, geometry_.meshes);
   }
 
@@ -156,6 +160,7 @@ class ShadowLister {
     const std::uint32_t receiver =
         materials_.numberOfNode(static_cast<std::uint32_t>(&*plane - snapshot_.nodes.data()));
     if (receiver == shared::kMaxFoundMaterials) return;  // nothing of it is in the picture
+    if (!mayShadow(light.positionWorld, node.boundsWorld, plane->boundsWorld)) return;
     const View& view = snapshot_.view;
     const Vec3 at = pointOf(*plane) - list_.origin;
     Vec3 normal = unit(normalMatrix(plane->worldFromObject.linear) * *plane->surface.flatNormal());

@@ -60,13 +60,22 @@ std::string twelveSheets(LayersTest*) {
   return nodes;
 }
 
+std::string stackedSheets(LayersTest*) {
+  const char* materials[] = {"glass", "red", "stained", "glow"};
+  std::string nodes;
+  for (int i = 0; i < 12; ++i)
+    nodes += std::string(i == 0 ? "" : ", ") + R"({ "surface": "sheet", "material": ")" + materials[i % 4] +
+             R"(", "translate": [0, )" + std::to_string(0.12 * i - 0.7) + ", 0] }";
+  return nodes;
+}
+
 TEST_F(LayersTest, AreTheTruth) {
   const std::vector<std::string> scenes{
       node("klein", "glass"), node("teapot", "glass", R"(, "translate": [0, -1.6, 0])"),
       node("torus", "glass") + ", " +
           node("torus", "red",
                R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 }, "translate": [0.4, 0, 0])"),
-      twelveSheets(this),
+      twelveSheets(this), stackedSheets(this),
       // Modes, an opacity that is a formula, something opaque within, a surface with one side.
       node("ball", "stained", R"(, "translate": [-1.5, 0, 0])") + ", " + node("ball", "glow") + ", " +
           node("ball", "waves", R"(, "translate": [1.5, 0, 0])") + ", " +

@@ -318,6 +318,11 @@ TEST_F(LightMapTest, HasMeshesOfItsCastersAndCostsNothingElse) {
   EXPECT_EQ(counted(R"("translate": [-2, 6, 1], "light": { "casters": ["ball"],)"), 1U);
   EXPECT_EQ(counted(R"("translate": [0, 2, 0], "light": { "casters": ["ball"],)"), 6U) << "six faces";
   EXPECT_EQ(counted(R"("light": { "type": "directional",)"), 2U);
+  // Where no way of its light to what is seen leads past the ball, which is not.
+  const std::string below =
+      R"({ "name": "ball", "surface": "ball", "material": "m", "translate": [0, -3, 30] },)";
+  const std::string lamp = R"("translate": [-2, 6, 1], "light": { "casters": ["ball"],)";
+  EXPECT_EQ(draw(sceneOf(below, lamp, R"({ "size": 64 })"), kLightMapSize).statistics.count.shadowPasses, 0U);
   const Snapshot snapshot = takeSnapshot(sceneOf(kBall, kLamp, R"({ "size": 64 })"), 0, kLightMapSize);
   static_cast<void>(renderer().render(snapshot));
   DrawOptions drawn;

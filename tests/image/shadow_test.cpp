@@ -494,6 +494,8 @@ TEST_F(ShadowTest, PlanarOnesAreOfWhatIsBetweenAndOnThePlaneAlone) {
   for (const std::string at : {"[0.5, 6, 0]", "[0, -1.5, 0]"}) {
     const std::string ball = R"({ "surface": "ball", "material": "m", "translate": )" + at + " }";
     EXPECT_TRUE(sameBytes(pictureOf(ball, planar), pictureOf(ball, none))) << at;
+    EXPECT_EQ(draw(sceneOf(ball + ", " + light + planar), kShadowSize).statistics.count.shadowPasses, 0U)
+        << at;
   }
   // One ball over another, of which half is in the shadow.
   const Scene scene = sceneOf(
