@@ -44,7 +44,7 @@ PlainKnot::PlainKnot(gpu::Context& context, PixelSize size, const TriangleMesh& 
                                       .bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}},
                                       .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
                                                      {1, 0, VK_FORMAT_R32G32B32_SFLOAT, sizeof(Vec3f)}},
-                                      .colorFormats = {kColor},
+                                      .colors = {{kColor}},
                                       .depthFormat = PlainTargets::kDepth});
 }
 

@@ -76,7 +76,7 @@ Straightforward::Straightforward(gpu::Context& context, PixelSize size, VkFormat
                                {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexData, norm)},
                                {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexData, tex)}},
                 .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
-                .colorFormats = {colorFormat},
+                .colors = {{colorFormat}},
                 .depthFormat = PlainTargets::kDepth,
                 .depthCompare = VK_COMPARE_OP_LESS,
                 .setLayouts = {layout_}});

@@ -69,7 +69,7 @@ DeviceFormula::DeviceFormula(gpu::Context& context, const std::string& glsl, std
   pipeline_ = gpu::GraphicsPipeline(context, {.name = "formula",
                                               .vertexShader = vertex.spirv,
                                               .fragmentShader = fragment.spirv,
-                                              .colorFormats = {kFormat, kFormat, kFormat},
+                                              .colors = {{kFormat}, {kFormat}, {kFormat}},
                                               .setLayouts = {layout_}});
 }
 

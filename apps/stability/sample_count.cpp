@@ -62,10 +62,9 @@ SampleCounter::SampleCounter(gpu::Context& context, int side)
                 .fragmentShader = fragment.spirv,
                 .bindings = {{.binding = 0, .stride = sizeof(Vec3f)}},
                 .attributes = {{.location = 0, .binding = 0, .format = VK_FORMAT_R32G32B32_SFLOAT}},
-                .colorFormats = {kFormat},
                 // Where a triangle replaces all of a 64-pixel tile, lavapipe drops those binned before, and
                 // their counts with them; where it blends it does not.
-                .blend = gpu::Blend::Color,
+                .colors = {{kFormat, gpu::Blend::Color}},
                 .setLayouts = {layout_}});
 }
 

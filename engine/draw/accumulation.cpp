@@ -69,8 +69,7 @@ Accumulator::Accumulator(gpu::Context& context)
                 {.name = "average",
                  .vertexShader = luxo_whole_target_vert,
                  .fragmentShader = luxo_average_frag,
-                 .colorFormats = {kSumFormat},
-                 .blend = gpu::Blend::Mean,
+                 .colors = {{kSumFormat, gpu::Blend::Mean}},
                  .specialization = {{shared::kConstantUncertain, std::bit_cast<std::uint32_t>(kUncertain)}},
                  .setLayouts = {layout_}}) {}
 

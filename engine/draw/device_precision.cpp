@@ -29,7 +29,7 @@ std::vector<Vec4f> drawValues(gpu::Context& context) {
   const gpu::GraphicsPipeline pipeline(context, {.name = "sin cos",
                                                  .vertexShader = luxo_whole_target_vert,
                                                  .fragmentShader = luxo_sin_cos_frag,
-                                                 .colorFormats = {kFormat}});
+                                                 .colors = {{kFormat}}});
   gpu::Readback drawn = std::move(gpu::drawWholeTargets(context, pipeline, kExtent, kFormat).front());
   std::vector<Vec4f> values(kAngles);
   std::memcpy(values.data(), drawn.bytes().data(), kAngles * sizeof(Vec4f));

@@ -138,31 +138,31 @@ void setTargets(const DrawState& state, const TargetFormat& format, gpu::Graphic
     case Shade:
     case Again:
     case BlendLayers:
-      desc.colorFormats = {format.color};
+      desc.colors = {{format.color}};
       break;
     case Found:
     case FoundWithParameters:
-      desc.colorFormats = {kFoundFormat};
-      if (state.form == FoundWithParameters) desc.colorFormats.push_back(kFoundParametersFormat);
-      if (state.footprint) desc.colorFormats.push_back(kFoundFootprintFormat);
-      if (state.frame) desc.colorFormats.push_back(kFoundFrameFormat);
+      desc.colors = {{kFoundFormat}};
+      if (state.form == FoundWithParameters) desc.colors.push_back({kFoundParametersFormat});
+      if (state.footprint) desc.colors.push_back({kFoundFootprintFormat});
+      if (state.frame) desc.colors.push_back({kFoundFrameFormat});
       break;
     case Openness:
-      desc.colorFormats = {kOpennessFormat};
+      desc.colors = {{kOpennessFormat}};
       break;
     case MeshPlace:
-      desc.colorFormats = {kPlacesFormat};
+      desc.colors = {{kPlacesFormat}};
       break;
     case Shadow:
     case ShadowsByRays:
     case FlatShadow:
-      desc.colorFormats = {kShadowsFormat};
+      desc.colors = {{kShadowsFormat}};
       break;
     case Transmittance:
     case TransmittanceByRays:
     case FlatTransmittance:
     case LightMap:
-      desc.colorFormats = {kTransmittanceFormat};
+      desc.colors = {{kTransmittanceFormat}};
       break;
     case LightDepth:
       desc.samples = VK_SAMPLE_COUNT_1_BIT;
@@ -172,20 +172,24 @@ void setTargets(const DrawState& state, const TargetFormat& format, gpu::Graphic
   }
 }
 
+void blend(gpu::GraphicsPipelineDesc& desc, gpu::Blend how) {
+  for (gpu::ColorAttachment& color : desc.colors) color.blend = how;
+}
+
 /// Which fragments of surfaces count: the nearest, and points that rays have found, which replace what is
 /// there.
 void setSurfaceFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
-  if (state.blended && state.output == Output::Color) desc.blend = gpu::Blend::Color;
+  if (state.blended && state.output == Output::Color) blend(desc, gpu::Blend::Color);
   desc.depthWrite = !state.blended;
   if (state.surface) desc.depthClamp = true;
   if (state.byRays) desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   if (!state.surface && inspectionOf(state)) {
     // The nearest surface counts, transparent or not.
     desc.depthWrite = true;
-    desc.blend = gpu::Blend::None;
+    blend(desc, gpu::Blend::None);
   } else if (state.shading == Shading::Wireframe) {
     if (state.hidesLines)
-      desc.blend = gpu::Blend::Keep;
+      blend(desc, gpu::Blend::Keep);
     else
       desc.polygonMode = VK_POLYGON_MODE_LINE;
   }
@@ -207,13 +211,13 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
       break;
     case Shade:
       overAllFound();
-      if (state.addsLight) desc.blend = gpu::Blend::Add;
+      if (state.addsLight) blend(desc, gpu::Blend::Add);
       break;
     case Again:  // as near as the points that the same triangles have put down, where they are one a pixel
       desc.depthWrite = false;
       desc.depthCompare = VK_COMPARE_OP_EQUAL;
       if (state.addsLight)
-        desc.blend = state.shading == Shading::Gouraud ? gpu::Blend::Add : gpu::Blend::Lighten;
+        blend(desc, state.shading == Shading::Gouraud ? gpu::Blend::Add : gpu::Blend::Lighten);
       break;
     case Openness:
     case MeshPlace:
@@ -221,18 +225,18 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
       break;
     case Shadow:
       overAllFound();
-      desc.blend = gpu::Blend::Or;
+      blend(desc, gpu::Blend::Or);
       break;
     case Transmittance:
     case LightMap:
       overAllFound();
-      desc.blend = gpu::Blend::Multiply;
+      blend(desc, gpu::Blend::Multiply);
       break;
     case FlatShadow:
     case FlatTransmittance:
       desc.depthWrite = false;
       desc.depthCompare = VK_COMPARE_OP_ALWAYS;
-      desc.blend = state.form == FlatShadow ? gpu::Blend::Or : gpu::Blend::Multiply;
+      blend(desc, state.form == FlatShadow ? gpu::Blend::Or : gpu::Blend::Multiply);
       break;
     case ShadowsByRays:
     case TransmittanceByRays:
@@ -243,7 +247,7 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
       desc.depthClamp = true;
       break;
     case BlendLayers:
-      desc.blend = inspectionOf(state) ? gpu::Blend::None : gpu::Blend::Through;
+      blend(desc, inspectionOf(state) ? gpu::Blend::None : gpu::Blend::Through);
       break;
     default:  // lists of layers are buffers
       break;
@@ -254,10 +258,13 @@ void requireFeatures(const gpu::Features& features, const gpu::GraphicsPipelineD
   if (desc.polygonMode == VK_POLYGON_MODE_LINE && !features.fillModeNonSolid)
     throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
                 "choose another shading or another --device");
-  if (desc.colorFormats == std::vector{kShadowsFormat} && !features.logicOp)
+  const auto blends = [&](gpu::Blend how) {
+    return std::ranges::find(desc.colors, how, &gpu::ColorAttachment::blend) != desc.colors.end();
+  };
+  if (blends(gpu::Blend::Or) && !features.logicOp)
     throw Error(ErrorKind::Device, "this device cannot draw shadows (no logicOp)",
                 "choose another --device, or set the lights' shadows to \"none\"");
-  if (desc.blend == gpu::Blend::Through && !features.dualSrcBlend)
+  if (blends(gpu::Blend::Through) && !features.dualSrcBlend)
     throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
                 "choose another --device");
 }

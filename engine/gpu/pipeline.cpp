@@ -90,9 +90,14 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
 }
 
 std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipelineDesc& desc) {
-  std::vector<VkPipelineColorBlendAttachmentState> states(desc.colorFormats.size(), blendState(Blend::None));
-  if (!states.empty()) states.front() = blendState(desc.blend);
+  std::vector<VkPipelineColorBlendAttachmentState> states;
+  for (const ColorAttachment& color : desc.colors) states.push_back(blendState(color.blend));
   return states;
+}
+
+/// Whether some attachment does.
+bool blendsBy(const GraphicsPipelineDesc& desc, Blend blend) {
+  return std::ranges::find(desc.colors, blend, &ColorAttachment::blend) != desc.colors.end();
 }
 
 /// What the shaders of a pipeline ask for.
@@ -128,9 +133,11 @@ void requireConsistent(const Context& context, const GraphicsPipelineDesc& desc)
   const Features& features = context.features();
   LUXO_REQUIRE(!desc.vertexShader.empty());
   LUXO_REQUIRE(desc.polygonMode == VK_POLYGON_MODE_FILL || features.fillModeNonSolid);
-  LUXO_REQUIRE(desc.blend != Blend::Or || features.logicOp);
-  LUXO_REQUIRE(desc.blend != Blend::Through || features.dualSrcBlend);
-  LUXO_REQUIRE(desc.blend == Blend::None || desc.colorFormats.size() == 1 || features.independentBlend);
+  const bool alike = std::ranges::all_of(
+      desc.colors, [&](const ColorAttachment& color) { return color.blend == desc.colors.front().blend; });
+  LUXO_REQUIRE(alike || features.independentBlend);
+  LUXO_REQUIRE(!blendsBy(desc, Blend::Or) || (alike && features.logicOp));
+  LUXO_REQUIRE(!blendsBy(desc, Blend::Through) || features.dualSrcBlend);
 }
 
 /// The shaders of a pipeline, and the constants that all of them are given.
@@ -222,21 +229,23 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
   const auto attachments = blendStates(desc);
   const VkPipelineColorBlendStateCreateInfo blend{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-      .logicOpEnable = desc.blend == Blend::Or,
+      .logicOpEnable = blendsBy(desc, Blend::Or),
       .logicOp = VK_LOGIC_OP_OR,
       .attachmentCount = count(attachments),
       .pAttachments = attachments.data()};
   std::vector states{VK_DYNAMIC_STATE_VIEWPORT,   VK_DYNAMIC_STATE_SCISSOR,
                      VK_DYNAMIC_STATE_CULL_MODE,  VK_DYNAMIC_STATE_FRONT_FACE,
                      VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE};
-  if (desc.blend == Blend::Mean) states.push_back(VK_DYNAMIC_STATE_BLEND_CONSTANTS);
+  if (blendsBy(desc, Blend::Mean)) states.push_back(VK_DYNAMIC_STATE_BLEND_CONSTANTS);
   const VkPipelineDynamicStateCreateInfo dynamic{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
       .dynamicStateCount = count(states),
       .pDynamicStates = states.data()};
+  std::vector<VkFormat> formats;
+  for (const ColorAttachment& color : desc.colors) formats.push_back(color.format);
   const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
-                                                .colorAttachmentCount = count(desc.colorFormats),
-                                                .pColorAttachmentFormats = desc.colorFormats.data(),
+                                                .colorAttachmentCount = count(formats),
+                                                .pColorAttachmentFormats = formats.data(),
                                                 .depthAttachmentFormat = desc.depthFormat};
   const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
                                           .pNext = &rendering,

@@ -36,6 +36,14 @@ struct DepthBias {
   float constant = 0, slope = 0;
 };
 
+/// What fragments are drawn onto, and how they join what is there.
+struct ColorAttachment {
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  Blend blend = Blend::None;
+
+  friend bool operator==(const ColorAttachment&, const ColorAttachment&) = default;
+};
+
 /// For dynamic rendering. Viewport, scissor, cull mode, front face and depth bias are
 /// always dynamic (see below); so are the blend constants of Blend::Mean.
 struct GraphicsPipelineDesc {
@@ -51,7 +59,9 @@ struct GraphicsPipelineDesc {
   VkPolygonMode polygonMode = VK_POLYGON_MODE_FILL;  ///< others need features().fillModeNonSolid
 
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  std::vector<VkFormat> colorFormats;          ///< none: fragments write buffers, or depth
+  /// In the order of the fragment shader's outputs; none: fragments write buffers, or depth. Blends that
+  /// differ need features().independentBlend; Or is of all or of none.
+  std::vector<ColorAttachment> colors;
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next two
 
   /// Triangles are not cut where they are nearer than the near plane: their depth is clamped. Where
@@ -59,8 +69,6 @@ struct GraphicsPipelineDesc {
   bool depthClamp = false;
   bool depthWrite = true;
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER;  ///< reversed depth: nearer is greater, cleared to 0
-
-  Blend blend = Blend::None;  ///< of the first attachment; the others are always overwritten
 
   /// Of both stages; one that a shader does not have is left out of it.
   std::vector<SpecializationConstant> specialization;

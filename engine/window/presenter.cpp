@@ -18,7 +18,7 @@ Presenter::Presenter(gpu::Context& context, VkFormat windowFormat)
       pipeline_(context, {.name = "present",
                           .vertexShader = luxo_present_vert,
                           .fragmentShader = luxo_present_frag,
-                          .colorFormats = {windowFormat},
+                          .colors = {{windowFormat}},
                           .setLayouts = {layout_}}),
       overlay_(context, windowFormat) {}
 

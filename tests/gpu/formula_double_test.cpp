@@ -84,7 +84,7 @@ class FormulaDoubleTest : public test::GpuTest {
     const gpu::GraphicsPipeline pipeline(context(), {.name = "formula",
                                                      .vertexShader = luxo_test_descriptors_vert,
                                                      .fragmentShader = shader.spirv,
-                                                     .colorFormats = {kFormat},
+                                                     .colors = {{kFormat}},
                                                      .setLayouts = {layout}});
     const VkExtent2D extent{kWidth, static_cast<std::uint32_t>((points.size() + kWidth - 1) / kWidth)};
     gpu::Texture target(context(), {.extent = extent,

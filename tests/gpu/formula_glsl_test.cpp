@@ -78,7 +78,7 @@ class FormulaGlslTest : public test::GpuTest {
     const gpu::GraphicsPipeline pipeline(context(), {.name = "formula",
                                                      .vertexShader = luxo_test_descriptors_vert,
                                                      .fragmentShader = shader.spirv,
-                                                     .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
+                                                     .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}},
                                                      .setLayouts = {layout}});
     const VkExtent2D extent{kWidth, static_cast<std::uint32_t>((points.size() + kWidth - 1) / kWidth)};
     std::vector<Vec2f> padded = points;

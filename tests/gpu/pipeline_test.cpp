@@ -54,7 +54,7 @@ GraphicsPipelineDesc colorPipeline() {
                          {.location = 1,
                           .format = VK_FORMAT_R32G32B32A32_SFLOAT,
                           .offset = offsetof(Vertex, color)}},
-          .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
+          .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}},
           .depthFormat = VK_FORMAT_D32_SFLOAT};
 }
 
@@ -217,7 +217,7 @@ TEST_F(PipelineTest, DepthBiasPullsCoplanarThingsForward) {
 
 TEST_F(PipelineTest, BlendsSourceOverDestination) {
   GraphicsPipelineDesc desc = colorPipeline();
-  desc.blend = Blend::Alpha;
+  desc.colors.front().blend = Blend::Alpha;
   desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   const GraphicsPipeline blended(context(), desc);
   const Color half{1, 0, 0, 0.5f};
@@ -293,11 +293,10 @@ TEST_F(PipelineTest, ResolvesSamplesToTheirMean) {
   EXPECT_EQ(at(image, 12, 2), kBlack);
 }
 
-TEST_F(PipelineTest, BlendsOnlyTheFirstAttachment) {
+TEST_F(PipelineTest, BlendsEachAttachmentByItself) {
   if (!context().features().independentBlend) GTEST_SKIP() << "no independent blending on this device";
   GraphicsPipelineDesc desc = colorPipeline();
-  desc.blend = Blend::Alpha;
-  desc.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R32_UINT};
+  desc.colors = {{VK_FORMAT_R32G32B32A32_SFLOAT, Blend::Alpha}, {VK_FORMAT_R32_UINT}};
   desc.depthFormat = VK_FORMAT_UNDEFINED;
   desc.specialization = {{0, 0}, {1, 4'000'000'001u}};
   const GraphicsPipeline pipeline(context(), desc);
@@ -339,7 +338,7 @@ TEST_F(PipelineTest, ShadersSeeTheirDescriptors) {
   const GraphicsPipeline pipeline(context(), {.name = "descriptors",
                                               .vertexShader = luxo_test_descriptors_vert,
                                               .fragmentShader = luxo_test_descriptors_frag,
-                                              .colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT},
+                                              .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}},
                                               .setLayouts = {layout}});
   const auto bufferOf = [&](const std::vector<float>& values, VkBufferUsageFlags usage, MemoryUse memory) {
     Buffer buffer(context(), {.size = values.size() * sizeof(float), .usage = usage, .memory = memory});
