@@ -103,6 +103,7 @@ Json jsonOf(const WrongPixels& wrong, bool approximateShadows, bool estimates) {
           {"layer", wrong.layer},
           {"point", wrong.point},
           {"light", wrong.light},
+          {"color", wrong.color},
           {"shadow_extra", ofShadows(wrong.shadowExtra)},
           {"shadow_missing", ofShadows(wrong.shadowMissing)},
           {"seen_part_off", estimates ? Json(reference::kSeenPartOff) : Json()}};
@@ -178,8 +179,8 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
       "           farthest {:.4g} px from the silhouette, {} beyond {} px\n",
       c.missing, c.extra, c.wrongNode, c.wrongLayer, c.farthestPx, c.beyond, kSilhouettePx);
   const WrongPixels& wrong = v.wrong;
-  text += fmt::format("wrong      {} pixels: {} hit or miss, {} layer, {} point, {} light\n", wrong.total(),
-                      wrong.hitMiss, wrong.layer, wrong.point, wrong.light);
+  text += fmt::format("wrong      {} pixels: {} hit or miss, {} layer, {} point, {} light, {} color\n",
+                      wrong.total(), wrong.hitMiss, wrong.layer, wrong.point, wrong.light, wrong.color);
   if (report.approximateShadows > 0)
     text += fmt::format(
         "shadows    {} of the lights has no exact shadow: the light is held against exact ones\n"

@@ -85,6 +85,10 @@ void requireWithin(const Verification& v, double mostPx, bool approximateShadows
   if (v.coverage.farthestPx > mostPx)
     miss(fmt::format("a pixel is wrong that is {:.3g} px from the silhouette", v.coverage.farthestPx));
   if (v.positionPx.max > mostPx) miss(fmt::format("the position error is {:.3g} px", v.positionPx.max));
+  if (v.wrong.color > 0)
+    throw Error(ErrorKind::Requirement,
+                fmt::format("{} pixels have a colour that is no shadow's and is off by more than 1/255",
+                            v.wrong.color));
   if (v.wrong.light > 0 && !approximateShadows)
     throw Error(
         ErrorKind::Requirement,
@@ -170,9 +174,11 @@ int verifyScene(const VerifyOptions& options) {
   const ReferencePicture truth = castTruth(exact, settings, render.verbosity, pixels);
   if (!truth.complete) return exit_code::kSignal + interruptingSignal();
   report.truthMs = watch.milliseconds();
-  report.verification = verify(
-      exact, truth, measured.picture,
-      {.shading = settings.shading, .pixels = std::move(pixels), .boundPx = report.statistics.error.boundPx});
+  report.verification = verify(exact, truth, measured.picture,
+                               {.shading = settings.shading,
+                                .pixels = std::move(pixels),
+                                .boundPx = report.statistics.error.boundPx,
+                                .colors = report.approximateShadows == 0});
 
   if (!options.heat.empty()) saveImage(errorHeat(report.verification.positionMap), options.heat);
   const std::string json = verificationJson(report, scene, snapshot);

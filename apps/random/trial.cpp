@@ -74,7 +74,8 @@ class Samples {
       trial_.complete &= truth.complete;
       if (!trial_.complete) return;
       // Twice as far as matters: near enough to be told from what is away from outlines.
-      v = verify(snapshot, truth, measured, {.farthestPx = 2 * kSilhouettePx, .worst = 0, .flip = false});
+      v = verify(snapshot, truth, measured,
+                 {.farthestPx = 2 * kSilhouettePx, .colors = false, .worst = 0, .flip = false});
     }
     trial_.pixels += v.coverage.compared + v.coverage.undecided;
     trial_.undecided += v.coverage.undecided;

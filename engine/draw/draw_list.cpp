@@ -35,6 +35,17 @@ constexpr std::uint64_t kSmallTrianglePx = 8;
 /// Of fewer a frame saves less than 2 ms, and their pipeline takes some 50 to make.
 constexpr std::uint64_t kManyTriangles = 1U << 15U;
 
+/// Of a pixel in the middle of the picture: searches for what is seen through leave to rays where single
+/// precision rounds away more than some thousandths of that (kMostRounding in shaders/lib/cell_ray.glsl).
+/// Where rays are slanted, toward the corners, what they are off by is longer on the screen, by as much as
+/// they are longer than the axis. Outputs of geometry tell these points, which a thousandth of a pixel is the
+/// most for (kPointPx): rounding and what Newton's method leaves of it are as much each.
+float partOfPixel(const View& view, const DrawOptions& options) {
+  constexpr double kOfGeometry = 1.0 / 10;
+  const double longest = view.perspective() ? std::sqrt(1 + glm::dot(view.halfExtent, view.halfExtent)) : 1;
+  return static_cast<float>((showsGeometry(options.output) ? kOfGeometry : 1) / longest);
+}
+
 bool needsLights(const DrawState& state) {
   return state.output == Output::Color &&
          (state.shading == Shading::Flat || state.shading == Shading::Gouraud ||
@@ -189,6 +200,7 @@ class DrawLister {
     if (!entry) list_.byRays.push_back(*area);
     if (!entry || !entry->caster) return;
     entry->caster->material = number;
+    entry->caster->pixel *= partOfPixel(view, options_);
     entry->caster->flags |=
         (v.twoSided ? shared::kTurnsNormal : 0) | (v.hideBackFaces ? shared::kShowsFront : 0);
     list_.layers.searches.push_back(

@@ -75,18 +75,36 @@ bool findAlike(const shared::MaterialData& a, const shared::MaterialData& b) {
          b.leastOpaque == 0 && (a.pattern == shared::kDrawnAgain) == (b.pattern == shared::kDrawnAgain);
 }
 
-/// Whether what one group's passes find is left as it is by those of the others.
-bool keepsWhatItFinds(const DrawList& list) {
-  const bool reads =
-      std::ranges::any_of(list.opaque, [](const DrawBatch& b) { return b.state.pattern.valid(); });
-  const bool drawsOver =
-      !list.transparent.empty() ||
-      std::ranges::any_of(list.opaque, [](const DrawBatch& b) { return b.state.form == Form::Fused; });
-  return list.deferred && !drawsOver && !list.layers.any() && !list.traces && !list.hasLightMaps() &&
-         !list.findsTransmittances() && (list.groups.size() == 1 || !list.findsShadows()) && !reads;
+/// What is not about the light that a point reflects, or goes with points that are asked for it.
+bool findAlike(const Material& a, const Material& b) {
+  const auto facts = [](const Material& material) {
+    return std::tuple(material.transparent(), material.letsLightThrough(), material.invisible(),
+                      material.twoSided, material.shading, material.mapOpacity, material.cutoff,
+                      material.lightsBelowHorizon(), material.readsFootprint(), material.drawsMaps(),
+                      Paint::of(material).readsFrame(), material.shader != nullptr);
+  };
+  return facts(a) == facts(b);
 }
 
 }  // namespace
+
+bool keepsWhatItFinds(const DrawList& list) {
+  const auto isFused = [](const auto& draw) { return draw.state.form == Form::Fused; };
+  const bool drawsOver = !list.transparent.empty() || std::ranges::any_of(list.opaque, isFused) ||
+                         std::ranges::any_of(list.found, isFused);
+  const bool readsPatterns =
+      std::ranges::any_of(list.opaque, [](const DrawBatch& batch) { return batch.state.pattern.valid(); });
+  return list.deferred && !drawsOver && !readsPatterns && !list.layers.any() && !list.traces &&
+         !list.hasLightMaps() && !list.findsTransmittances() &&
+         (list.groups.size() == 1 || !list.findsShadows());
+}
+
+bool findsAlike(const Snapshot& last, const Snapshot& next) {
+  return last.view == next.view && last.nodes == next.nodes && last.lights == next.lights &&
+         last.blendOrder == next.blendOrder && last.ambientOcclusion == next.ambientOcclusion &&
+         std::ranges::equal(last.materials, next.materials,
+                            [](const Material& a, const Material& b) { return findAlike(a, b); });
+}
 
 bool findsAlike(const DrawList& last, const DrawList& next) {
   const auto facts = [](const DrawList& list) {
@@ -94,14 +112,16 @@ bool findsAlike(const DrawList& last, const DrawList& next) {
                     list.outlines, list.tooLarge, list.findsParameters, list.findsFootprints,
                     list.findsFrames, list.occludes, list.runsShaders, list.findsPlaces, list.boundPx);
   };
-  return keepsWhatItFinds(last) && keepsWhatItFinds(next) && facts(last) == facts(next) &&
-         sameBits(last.view, next.view) && sameBits(last.instances, next.instances) &&
-         sameBits(last.exactInstances, next.exactInstances) &&
+  return facts(last) == facts(next) && sameBits(last.view, next.view) &&
+         sameBits(last.instances, next.instances) && sameBits(last.exactInstances, next.exactInstances) &&
          sameBits(last.exactPatches, next.exactPatches) &&
          sameBits(last.exactParameters, next.exactParameters) && sameBits(last.lightSets, next.lightSets) &&
          same(last.opaque, next.opaque) && same(last.found, next.found) && same(last.places, next.places) &&
          same(last.placed, next.placed) && same(last.groups, next.groups) &&
-         same(last.casters, next.casters) && std::ranges::equal(last.materials, next.materials, findAlike);
+         same(last.casters, next.casters) &&
+         std::ranges::equal(
+             last.materials, next.materials,
+             [](const shared::MaterialData& a, const shared::MaterialData& b) { return findAlike(a, b); });
 }
 
 }  // namespace luxo

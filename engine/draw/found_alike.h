@@ -6,11 +6,17 @@
 
 namespace luxo {
 
-/// Whether all that the passes of `last` have found, points and the shadows on them, is to the bit what those
-/// of `next` would find, and is still in the targets when they are done: of deferred lists whose lights'
-/// groups leave each other's shadows alone, with nothing that is seen through, or asks rays, or is drawn over
-/// what is found. What may differ is what lights it: materials, their patterns and textures. May say no where
-/// it is so. Cost: reads both lists.
+/// Whether what the passes of a list find stays in the targets when they are done: of a deferred one whose
+/// lights' groups leave each other's shadows alone, with nothing that is seen through, or sends rays, or is
+/// drawn over what is found.
+[[nodiscard]] bool keepsWhatItFinds(const DrawList& list);
+
+/// Whether two moments differ in what materials look like and in the background alone: what rays find, too,
+/// is the same, with all that goes with a point of it.
+[[nodiscard]] bool findsAlike(const Snapshot& last, const Snapshot& next);
+
+/// Of two lists that keep what they find, of snapshots that find alike: whether the passes of `last` find, to
+/// the bit, what those of `next` would. May say no where they do. Cost: reads both.
 [[nodiscard]] bool findsAlike(const DrawList& last, const DrawList& next);
 
 }  // namespace luxo

@@ -2,6 +2,7 @@
 // Indices of 16 bits for meshes of any size: a draw adds its vertex offset to them.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -41,12 +41,14 @@ enum class ShadowKinds { None, ClosedForms, All };
 
 /// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).
 struct Skips {
-  bool frustum = true;    ///< nodes, and clusters of meshes, outside the picture
-  bool small = true;      ///< nodes that cover no sample
-  bool backface = true;   ///< faces, nodes, and clusters of meshes that turn their back
-  bool lights = true;     ///< lights that cannot reach a node
-  bool unchanged = true;  ///< pictures that are still there, uploads of what the device already has
-  bool passes = true;     ///< passes with nothing to draw
+  bool frustum = true;   ///< nodes, and clusters of meshes, outside the picture
+  bool small = true;     ///< nodes that cover no sample
+  bool backface = true;  ///< faces, nodes, and clusters of meshes that turn their back
+  bool lights = true;    ///< lights that cannot reach a node
+  /// Pictures that are still there, and what was found for them where materials alone have changed; uploads
+  /// of what the device already has.
+  bool unchanged = true;
+  bool passes = true;  ///< passes with nothing to draw
   /// What is behind other surfaces, where it is searched for in every pixel. On CPU devices, which compare
   /// depths after the search only.
   bool hidden = true;

@@ -49,8 +49,8 @@ auto Refinement::advance(const Submit& submit) -> std::optional<Rays> {
 auto Refinement::draw(const Submit& submit) -> std::optional<Rays> {
   if (trial_ != Trial::ByRays) search(submit);
   next_ = &Refinement::trace;
-  if (const auto before = std::exchange(before_, std::nullopt); before && view_->relit()) {
-    std::tie(points_, statistics_.error) = *before;
+  if (auto before = std::exchange(before_, std::nullopt); before && view_->relit()) {
+    std::tie(points_, statistics_.error) = std::move(*before);
     return std::nullopt;
   }
   if (!view_->searches() && !view_->list().findsShadows()) return std::nullopt;

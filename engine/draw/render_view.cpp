@@ -137,7 +137,7 @@ bool RenderView::makeRoomFor(const RayPoints& points) {
 
 void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearColorValue& background,
                        VkExtent2D extent) {
-  recordedBefore_.reset();
+  recorded_.reset();
   relit_ = false;
   list_ = std::move(list);
   options_ = options;
@@ -164,15 +164,19 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   upload(!options_.skips.unchanged);
 }
 
-bool RenderView::hasFound(const DrawList& list, const DrawOptions& options, VkExtent2D extent,
+bool RenderView::hasFound(const Snapshot& snapshot, const DrawList& list, const DrawOptions& options,
                           const gpu::FrameRing& frames) const {
-  const VkExtent2D held = targets_.extent();
-  return recordedBefore_ == frames.thrownAway() && options_ == options && held.width == extent.width &&
-         held.height == extent.height && findsAlike(list_, list);
+  return recorded_ && recorded_->frames == &frames && recorded_->thrownAway == frames.thrownAway() &&
+         options_ == options && keepsWhatItFinds(list) && findsAlike(recorded_->snapshot, snapshot) &&
+         findsAlike(list_, list);
+}
+
+void RenderView::recorded(const Snapshot& snapshot, const gpu::FrameRing& frames) {
+  if (keepsWhatItFinds(list_)) recorded_ = {snapshot, &frames, frames.thrownAway()};
 }
 
 void RenderView::relight(DrawList list, const VkClearColorValue& background) {
-  recordedBefore_.reset();
+  recorded_.reset();
   relit_ = true;
   list_ = std::move(list);
   background_ = background;

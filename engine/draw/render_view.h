@@ -73,10 +73,10 @@ class RenderView {
   /// is lit again.
   void relight(DrawList list, const VkClearColorValue& background);
   /// Whether that may be, and the targets hold it: nothing of it was in a recording that was thrown away.
-  [[nodiscard]] bool hasFound(const DrawList& list, const DrawOptions& options, VkExtent2D extent,
+  [[nodiscard]] bool hasFound(const Snapshot& snapshot, const DrawList& list, const DrawOptions& options,
                               const gpu::FrameRing& frames) const;
-  /// All of the last one is recorded.
-  void recorded(const gpu::FrameRing& frames) { recordedBefore_ = frames.thrownAway(); }
+  /// All of the last one is recorded, of this snapshot.
+  void recorded(const Snapshot& snapshot, const gpu::FrameRing& frames);
 
   /// What draws read, in an open recording.
   struct Bindings {
@@ -137,7 +137,13 @@ class RenderView {
   MirroredBuffer rayVertices_, rayShadows_, rayInstances_, rayLayers_, rayLayerPoints_, rayLayerLights_,
       rayLayerDetails_;
   bool hasRays_ = false, relit_ = false;
-  std::optional<std::uint64_t> recordedBefore_;  ///< so many were thrown away
+  /// A recording that keeps what it finds.
+  struct Recorded {
+    Snapshot snapshot;
+    const gpu::FrameRing* frames;
+    std::uint64_t thrownAway;  ///< FrameRing::thrownAway() then
+  };
+  std::optional<Recorded> recorded_;
 };
 
 }  // namespace luxo

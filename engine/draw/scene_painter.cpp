@@ -75,12 +75,12 @@ void ScenePainter::record(gpu::FrameRing& frames, VkCommandBuffer commands, Rend
   const VkExtent2D extent{static_cast<std::uint32_t>(snapshot.view.size.width),
                           static_cast<std::uint32_t>(snapshot.view.size.height)};
   const VkClearColorValue background = backgroundOf(snapshot, options.output);
-  if (options.skips.unchanged && view.hasFound(list, options, extent, frames))
+  if (options.skips.unchanged && view.hasFound(snapshot, list, options, frames))
     view.relight(std::move(list), background);
   else
     view.begin(std::move(list), options, background, extent);
   recordPasses(frames, commands, view, {.relights = view.relit()}, statistics);
-  view.recorded(frames);
+  if (options.skips.unchanged) view.recorded(snapshot, frames);
 
   context_->counted().shadersCompiled += pipelines_.programs().takeCompiled();
   const gpu::Counters after = context_->counters();

@@ -119,12 +119,11 @@ class ShadowLister {
   /// Of the opaque ones: light that gets through others is exact. Of a light's point it is the light's. None
   /// where no caster can be between the light and what is seen; a wide light is in many places.
   void mapOf(SnapshotLight light) {
-    const bool isWide = light.pointOf.has_value();
-    if (isWide) light.positionWorld = light.pointOf->middle;
+    if (light.pointOf) light.positionWorld = light.pointOf->middle;
     const std::vector<const SnapshotNode*> casters =
         castersOf(light, [&](const SnapshotNode& node) { return !materialOf(node).letsLightThrough(); });
     const auto reaches = [&](const SnapshotNode* node) { return reachesWhatIsSeen(light, *node); };
-    if (!isWide && std::ranges::none_of(casters, reaches)) return;
+    if (light.map->radius == 0 && std::ranges::none_of(casters, reaches)) return;
     group_->map = listLightMap(light, casters, receivers_, list_.origin, geometry_.meshes);
   }
 

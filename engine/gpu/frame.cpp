@@ -38,8 +38,10 @@ void FrameRing::drop() {
 
 VkCommandBuffer FrameRing::begin() {
   requireRoomForShaders("draw");  // which compiles what the first drawing with a pipeline needs
-  if (recording_) ++thrownAway_;
-  if (!recording_) slot_ = (slot_ + 1) % kFrames;
+  if (recording_)
+    ++thrownAway_;
+  else
+    slot_ = (slot_ + 1) % kFrames;
   drop();
   Frame& frame = frames_[slot_];
   context_->timeline().wait(frame.submission);

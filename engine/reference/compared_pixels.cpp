@@ -45,6 +45,14 @@ bool ComparedPixels::showsTexture(std::uint32_t i) const {
   return material.readsFootprint() && !material.shader && shadingOf(*node) == Shading::Exact;
 }
 
+bool ComparedPixels::showsPlainColor(std::uint32_t i) const {
+  const auto node = layers_.nodeOf(truth_.number[i]);
+  if (!options_.colors || !node || isMesh(i)) return false;
+  const Material& material = materialOf(*node);
+  return !material.shader && !material.diffusePattern.valid() && !material.isolines.valid() &&
+         !material.readsFootprint();
+}
+
 std::optional<Place> ComparedPixels::shownAt(std::uint32_t i, std::uint32_t node) const {
   return onTriangles(node) ? layers_.onTriangle(node, parametersAt(i), valueAt(measured_.position, i))
                            : layers_.at(node, parametersAt(i), truth_.position[i]);

@@ -36,6 +36,9 @@ class ComparedPixels {
   [[nodiscard]] bool isMesh(std::uint32_t i) const;
   /// In exact shading: other ones have colours of their own.
   [[nodiscard]] bool showsTexture(std::uint32_t i) const;
+  /// Of no mesh, and one colour but for the light: a pattern's, in floats, may jump where that of doubles
+  /// does not.
+  [[nodiscard]] bool showsPlainColor(std::uint32_t i) const;
 
   /// The point that a pixel shows of a node, near to what is seen there.
   [[nodiscard]] std::optional<Place> shownAt(std::uint32_t i, std::uint32_t node) const;

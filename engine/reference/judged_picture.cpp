@@ -286,7 +286,7 @@ class PictureJudge : ComparedPixels {
     if (pixel.mismatch != Mismatch::None || pixel.byShader || measured_.color.empty()) return false;
     const bool sees = pixel.position != kUnset;
     return ((pixel.color > kOtherLight || pixel.offPoint) && (hasLayers_ || (hasShadows_ && sees))) ||
-           (pixel.color > kOtherTexture && sees && !isMesh(chosen_[k]));
+           (pixel.color > kOtherTexture && sees && (showsTexture(chosen_[k]) || showsPlainColor(chosen_[k])));
   }
 
   /// What is wrong may be right beside an outline, or beside the border of a shadow.

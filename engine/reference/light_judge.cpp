@@ -154,7 +154,7 @@ std::optional<double> LightJudge::reachOfColors(const Caster::Sight& sight) cons
 /// plane of what is seen on either side of it: of what is seen through any layer may be the wrong one, and
 /// of a texture any texel. Where a layer ends on the way so does its colour, which beside a fold changes by
 /// more than kOtherLight in a hundredth of a pixel: it is followed to the end, and kPointPx beyond.
-LightVerdict LightJudge::byColor(std::uint32_t i, double reach) const {
+LightVerdict LightJudge::byColor(std::uint32_t i, double reach, double tolerance) const {
   struct Look {
     std::size_t layers;
     Vec3 color;
@@ -201,7 +201,7 @@ LightVerdict LightJudge::byColor(std::uint32_t i, double reach) const {
     if (before.layers == last.layers) count(2.0 * last.color - before.color);
   }
   if (!certified) return Unjudged;
-  const double tolerance = throughTexture ? kOtherTexture : kOtherLight;
+  if (throughTexture) tolerance = kOtherTexture;
   const auto slack = [&](double value) { return tolerance * (1 + value); };
   for (int c = 0; c < 3; ++c)
     if (shown[c] < least[c] - slack(least[c]) || shown[c] > most[c] + slack(most[c]))
@@ -217,7 +217,7 @@ LightVerdict LightJudge::byLayers(std::uint32_t i) const {
   const bool isOpaque = sight.hits.size() == 1 && !materialOf(sight.hits.front().node).transparent();
   if (isOpaque && isMesh(i)) return ofMesh(i);
   const std::optional<double> reach = reachOfColors(sight);
-  return reach ? byColor(i, *reach) : Unjudged;
+  return reach ? byColor(i, *reach, kOtherLight) : Unjudged;
 }
 
 /// Finds of which lights a border, or of all of them an outline, is within kSilhouettePx of a place that
@@ -294,11 +294,12 @@ LightVerdict LightJudge::ofPoint(std::uint32_t i) const {
       lights.push_back(estimate(caster_.shareOf(whole.light, hit, -ray.direction, Vec3(1)),
                                 caster_.seenPart(whole, hit), off));
   const Unexplained left = withoutBorders(i, off, std::move(lights), center);
-  if (!left.byTurned && (!certified || largest(left.off) <= kOtherTexture || occluded_ || isMesh(i)))
-    return certified ? Right : Unjudged;
   // At a crease the colour is that of either side.
-  const LightVerdict nearby = byColor(i, kSilhouettePx);
-  return nearby == Unjudged && left.byTurned ? wrongBy(off) : nearby;
+  if (left.byTurned) return byColor(i, kSilhouettePx, kOtherLight) == Right ? Right : wrongBy(off);
+  if (!certified) return Unjudged;
+  if (largest(left.off) <= kOtherTexture || occluded_ || !showsPlainColor(i)) return Right;
+  const LightVerdict nearby = byColor(i, kSilhouettePx, kOtherTexture);
+  return nearby == TooDark || nearby == TooBright ? OtherColor : nearby;
 }
 
 /// What the borders of shadows nearby leave of a colour that is so much off the truth, of a point which is at

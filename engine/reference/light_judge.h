@@ -15,14 +15,16 @@ namespace luxo::reference {
 
 /// Linear: smaller differences are not looked into for a light's shadow.
 inline constexpr double kOtherLight = 1e-4;
-/// Linear: devices filter with few bits. Other colours of exact shading are looked into from there on, too.
+/// Linear: devices filter with few bits. A colour that is neither a texture's nor seen through is looked into
+/// for other reasons than shadows from there on, too.
 inline constexpr double kOtherTexture = 1.0 / 255;
 
 enum class LightVerdict {
   Right,
-  TooDark,  ///< in a shadow that there is not
+  TooDark,  ///< in a shadow that there is not, or without a texel's or a layer's light
   TooBright,
-  Unjudged  ///< the truth does not know it, or the picture does not tell enough
+  OtherColor,  ///< of exact shading, and none that lights or what is nearby explain
+  Unjudged     ///< the truth does not know it, or the picture does not tell enough
 };
 
 /// Borders of shadows are right on either side. Cost of a pixel: some hundred rays.
@@ -53,7 +55,7 @@ class LightJudge : ComparedPixels {
            kCosineRounding * caster_.cosineLoss(light, hit);
   }
   [[nodiscard]] LightVerdict byLayers(std::uint32_t i) const;
-  [[nodiscard]] LightVerdict byColor(std::uint32_t i, double reach) const;
+  [[nodiscard]] LightVerdict byColor(std::uint32_t i, double reach, double tolerance) const;
   [[nodiscard]] LightVerdict ofMesh(std::uint32_t i) const;
   [[nodiscard]] LightVerdict ofPoint(std::uint32_t i) const;
   [[nodiscard]] std::pair<std::optional<Hit>, Vec2> litPoint(std::uint32_t i, std::uint32_t node) const;

@@ -59,6 +59,8 @@ class Sums {
         count = &wrong.light;
       else if (pixel.nan || pixel.offPoint)
         count = &wrong.point;
+      else if (pixel.light == OtherColor)
+        count = &wrong.color;
       if (count == nullptr) continue;
       ++*count;
       if (count == &wrong.light) ++(pixel.light == TooDark ? wrong.shadowExtra : wrong.shadowMissing);

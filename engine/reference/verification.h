@@ -53,6 +53,9 @@ struct VerificationOptions {
   double boundPx = 0;
   /// Off: mismatches are counted, but how far they are from right stays 0, and WrongPixels stays empty.
   bool silhouettes = true;
+  /// Off: a colour that is off is no reason to look for another one than a shadow or a texture. Of shadows
+  /// that are approximations borders are lit in part.
+  bool colors = true;
   int worst = 5;     ///< pixels listed per metric
   bool flip = true;  ///< of whole pictures; a second per megapixel
   int threads = 0;   ///< 0: all cores. The result does not depend on it.
@@ -116,15 +119,17 @@ inline constexpr double kCosineRounding = 0x1p-20;
 struct WrongPixels {
   std::uint64_t hitMiss = 0;  ///< a surface where there is none, or none where there is one
   std::uint64_t layer = 0;    ///< another node, or another part of the node
-  /// A light is seen that is in shadow, or the other way round; or, in exact shading, a colour is off by
-  /// 1/255.
+  /// A light is seen that is in shadow, or the other way round; or, in exact shading, a texture's
+  /// colour is off by 1/255.
   std::uint64_t light = 0;
   /// Of `light`: darker than the truth, as by a shadow too much, and brighter, as by one too few.
   std::uint64_t shadowExtra = 0, shadowMissing = 0;
   std::uint64_t point = 0;  ///< off by more than kPointPx and rounding, or a value that is not a number
+  /// In exact shading a colour that is no pattern's is off by 1/255, and no shadow explains it.
+  std::uint64_t color = 0;
   std::vector<std::uint32_t> pixels;  ///< row * width + column, ascending
 
-  [[nodiscard]] std::uint64_t total() const { return hitMiss + layer + point + light; }
+  [[nodiscard]] std::uint64_t total() const { return hitMiss + layer + point + light + color; }
 };
 
 struct ColorErrors {

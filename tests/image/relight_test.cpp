@@ -41,6 +41,10 @@ struct Room {
   Light light{.intensity = 0.8, .shadow = Light::Shadow::Exact};
   Vec3 lightAt{3, 5, 4}, ballAt{1.1, 0.2, 0.4};
   Vec3 ambient{0.2}, background{0.1, 0.15, 0.2};
+  /// A sheet without end, and a bar beside the picture that has a shadow in it: rays find both, or its
+  /// shadow.
+  bool endless = false;
+  double height = -2, barAt = 0;
   Camera camera{.eye = Vec3(2.5, 2.2, 4.5), .lookAt = Vec3(0, -0.2, 0)};
   DrawOptions options;
 
@@ -53,6 +57,12 @@ struct Room {
     scene.add(Node{.rotation = Rotation{{1, 0.3, 0}, 0.9}, .surface = torus(0.8, 0.3), .material = ids[1]});
     scene.add(Node{.translation = ballAt, .surface = makeSurface("superellipsoid"), .material = ids[2]});
     scene.add(Node{.translation = Vec3(-1.5, 0, -0.5), .surface = icosphere(2), .material = ids[3]});
+    if (endless)
+      scene.add(Node{.surface = surface(
+                         [](auto u, auto v, auto y) { return point(u / (1 - u * u), y, v / (1 - v * v)); },
+                         {{-1, 1}, {-1, 1}}, {}, height),
+                     .material = ids[1]});
+    scene.add(Node{.translation = Vec3(2.3 + barAt, 3.6, 6), .surface = sphere(0.4), .material = ids[0]});
     scene.add(Node{.translation = lightAt, .light = light});
     return takeSnapshot(scene, 0, kRelightSize, camera);
   }
@@ -97,6 +107,12 @@ std::vector<Edit> others() {
       },
       [](Room& r) { r.lightAt.x -= 0.3; },
       [](Room& r) { r.ballAt.y += 0.1; },
+      [](Room& r) { r.height += 0.1; },
+      [](Room& r) { r.barAt -= 0.1; },
+      [](Room& r) {
+        r.materials[1].ambient = Vec3(0.2);
+        r.materials[1].map.texture = r.materials[1].map.texture ? nullptr : chequered(0.3f);
+      },
       [](Room& r) { r.camera.eye = r.camera.eye.at(0) + Vec3(0.1, 0, 0); },
       [](Room& r) { r.options.output = r.options.output == Output::Color ? Output::Normal : Output::Color; },
       [](Room& r) { r.options.samples = 5 - r.options.samples; },
@@ -147,6 +163,7 @@ TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {
     Room room;
     if (chain % 3 == 1) room.light.shadow = Light::Shadow::None;
     if (chain % 2 == 1) room.options.composition = Composition::Deferred;
+    room.endless = chain % 3 == 2;
     for (int step = 0; step < 14; ++step) {
       const bool paint = random() % 2 == 0;
       const std::size_t which = random() % (paint ? paints : finds).size();

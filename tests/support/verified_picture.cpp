@@ -17,7 +17,8 @@ VerifiedPictureTest::Verified VerifiedPictureTest::verified(const Snapshot& snap
                                     .position = show(Output::Position).image,
                                     .normal = show(Output::Normal).image,
                                     .uv = show(Output::Uv).image,
-                                    .id = show(Output::Id).image})};
+                                    .id = show(Output::Id).image},
+                                   {.colors = approximateShadows(snapshot) == 0})};
 }
 
 VerifiedPictureTest::Verified VerifiedPictureTest::expectWhole(const Snapshot& snapshot,
