@@ -252,7 +252,7 @@ TEST(Teapot, NormalsPointOutward) {
 
 // Of a shader's u = 17.8 float keeps four bits fewer than of 0.8.
 TEST(Bezier, ShadersCountUFromWhereThePatchBegins) {
-  const Surface surface = scaled(teapot(), Vec3(1, 2, 3), {});
+  const Surface surface = scaled(teapot(), Vec3(1, 2, 3));
   const Patch& patch = surface.patches()[17];
   EXPECT_EQ(patch.originOfU(), 17);
   Graph graph;

@@ -14,7 +14,7 @@ const Vec3 kScale(4, 0.125, 32);
 
 TEST(Scaled, PointsAreScaledWithoutRounding) {
   for (const CatalogueEntry& entry : catalogue()) {
-    const Surface surface = makeSurface(entry), other = scaled(surface, kScale, {});
+    const Surface surface = makeSurface(entry), other = scaled(surface, kScale);
     ASSERT_EQ(other.patchCount(), surface.patchCount());
     EXPECT_EQ(other.name(), surface.name());
     for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch) {
@@ -35,7 +35,7 @@ TEST(Scaled, PointsAreScaledWithoutRounding) {
 }
 
 TEST(Scaled, AScaledBallIsAnEllipsoid) {
-  const auto equation = equationOf(scaled(sphere(1), kScale, {}), 0, {});
+  const auto equation = equationOf(scaled(sphere(1), kScale), 0, {});
   ASSERT_TRUE(equation);
   EXPECT_EQ(equation->scale, kScale);
 }
@@ -44,8 +44,23 @@ TEST(Scaled, KeepsParametersAndThePlaneOfFlatSurfaces) {
   const Surface moving =
       surface([](auto u, auto v, auto h) { return point(u, h * u * v, v); }, {}, {}, Animated<double>(3.0));
   const double h[] = {5};
-  EXPECT_EQ(scaled(moving, kScale, h).position(0.5, 0.5, h), kScale * moving.position(0.5, 0.5, h));
-  EXPECT_EQ(scaled(rectangle(2, 3), kScale, {}).flatNormal(), Vec3(0, 1, 0));
+  EXPECT_EQ(scaled(moving, kScale).position(0.5, 0.5, h), kScale * moving.position(0.5, 0.5, h));
+  EXPECT_EQ(scaled(rectangle(2, 3), kScale).flatNormal(), Vec3(0, 1, 0));
+}
+
+// It is that of time 0, as of any surface: a ring that opens in time.
+TEST(Scaled, TheTopologyIsThatOfWhatIsScaled) {
+  const auto ring = [](auto u, auto v, auto turn) {
+    const auto radius = 2 + 0.7 * cos(kTau * v);
+    return point(radius * cos(turn * u), 0.7 * sin(kTau * v), radius * sin(turn * u));
+  };
+  const Animated<double> opening([](double t) { return kTau * (1 - 0.5 * t); });
+  const Surface moving = surface(ring, {}, {}, opening);
+  ASSERT_TRUE(moving.closed());
+  const Surface open = moving.withParameters({Animated<double>(kPi)});
+  EXPECT_TRUE(open.closed());
+  EXPECT_TRUE(scaled(open, kScale).closed());
+  EXPECT_EQ(scaled(open, kScale).topology().orientation(), open.topology().orientation());
 }
 
 }  // namespace
