@@ -53,16 +53,19 @@ struct Room {
     scene.set(RenderSettings{.background = background, .ambient = ambient});
     std::vector<MaterialId> ids;
     for (const Material& material : materials) ids.push_back(scene.add(material));
-    scene.add(Node{.translation = Vec3(0, -1, 0), .surface = rectangle(8, 8), .material = ids[0]});
-    scene.add(Node{.rotation = Rotation{{1, 0.3, 0}, 0.9}, .surface = torus(0.8, 0.3), .material = ids[1]});
-    scene.add(Node{.translation = ballAt, .surface = makeSurface("superellipsoid"), .material = ids[2]});
-    scene.add(Node{.translation = Vec3(-1.5, 0, -0.5), .surface = icosphere(2), .material = ids[3]});
+    // Made once: who makes them anew has others.
+    static const Surface kFloor = rectangle(8, 8), kRing = torus(0.8, 0.3),
+                         kBody = makeSurface("superellipsoid"), kMesh = icosphere(2), kBar = sphere(0.4),
+                         kEndless = surface([](auto u, auto v,
+                                               auto y) { return point(u / (1 - u * u), y, v / (1 - v * v)); },
+                                            {{-1, 1}, {-1, 1}}, {}, Animated<double>(-2.0));
+    scene.add(Node{.translation = Vec3(0, -1, 0), .surface = kFloor, .material = ids[0]});
+    scene.add(Node{.rotation = Rotation{{1, 0.3, 0}, 0.9}, .surface = kRing, .material = ids[1]});
+    scene.add(Node{.translation = ballAt, .surface = kBody, .material = ids[2]});
+    scene.add(Node{.translation = Vec3(-1.5, 0, -0.5), .surface = kMesh, .material = ids[3]});
     if (endless)
-      scene.add(Node{.surface = surface(
-                         [](auto u, auto v, auto y) { return point(u / (1 - u * u), y, v / (1 - v * v)); },
-                         {{-1, 1}, {-1, 1}}, {}, height),
-                     .material = ids[1]});
-    scene.add(Node{.translation = Vec3(2.3 + barAt, 3.6, 6), .surface = sphere(0.4), .material = ids[0]});
+      scene.add(Node{.surface = kEndless.withParameters({Animated<double>(height)}), .material = ids[1]});
+    scene.add(Node{.translation = Vec3(2.3 + barAt, 3.6, 6), .surface = kBar, .material = ids[0]});
     scene.add(Node{.translation = lightAt, .light = light});
     return takeSnapshot(scene, 0, kRelightSize, camera);
   }
