@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "draw/index_windows.h"
 #include "gpu/buffer.h"
 #include "gpu/context.h"
+#include "mesh/index_windows.h"
 #include "shell/shell.h"
 #include "tessellate/mesh.h"
 

@@ -12,10 +12,11 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/index_windows.h"
+
 namespace luxo {
 namespace {
 
-constexpr std::uint32_t kRange = 65536;  // vertices that 16 bits number
 constexpr std::uint32_t kUnused = 0xffffffff;
 constexpr unsigned kCachedVertices = 16;  // what devices of any age keep
 // Pieces of work that are worth another thread: some 0.1 ms.
@@ -46,7 +47,7 @@ std::vector<std::uint32_t> numberVertices(std::size_t vertices, std::vector<std:
   for (MeshCluster& cluster : clusters) {
     const std::span<std::uint32_t> corners = cornersOf(cluster, indices);
     const auto most = std::size_t(std::count_if(corners.begin(), corners.end(), fresh));
-    if (order.size() + most - range > kRange) range = std::uint32_t(order.size());
+    if (order.size() + most - range > kWindowVertices) range = std::uint32_t(order.size());
     cluster.firstVertex = range;
     for (std::uint32_t& corner : corners) {
       if (fresh(corner)) {

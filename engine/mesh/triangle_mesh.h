@@ -60,9 +60,8 @@ struct MeshOptions {
 /// Up to kClusterTriangles neighbouring triangles, all of one material.
 struct MeshCluster {
   std::uint32_t firstTriangle = 0, triangles = 0;
-  /// Every index of the cluster is in [firstVertex, firstVertex + 65535]: index - firstVertex has 16 bits.
-  /// Neighbouring clusters mostly share it, so one draw with this vertex offset holds many clusters
-  /// (draw/index_windows.h).
+  /// Every index of the cluster is in [firstVertex, firstVertex + kWindowVertices). Neighbouring clusters
+  /// mostly share it: so one window of indices (mesh/index_windows.h) holds many.
   std::uint32_t firstVertex = 0;
   std::uint32_t material = 0;
   Box bounds;  ///< holds the cluster

@@ -5,6 +5,7 @@
 #include "base/assert.h"
 #include "fuzz/message.h"
 #include "fuzz/target.h"
+#include "mesh/index_windows.h"
 #include "mesh/model_source.h"
 #include "mesh/mtl.h"
 
@@ -29,7 +30,7 @@ void checkMesh(const TriangleMesh& mesh, std::size_t materials) {
     for (std::size_t i = 3 * std::size_t(cluster.firstTriangle); i < 3 * std::size_t(next); ++i) {
       const std::uint32_t vertex = mesh.indices()[i];
       LUXO_REQUIRE_COMPARE(vertex, <, mesh.positions().size());
-      LUXO_REQUIRE(vertex >= cluster.firstVertex && vertex - cluster.firstVertex < 65536);
+      LUXO_REQUIRE(vertex >= cluster.firstVertex && vertex - cluster.firstVertex < kWindowVertices);
       LUXO_REQUIRE(cluster.bounds.contains(mesh.point(vertex)));
     }
   }

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "draw/index_windows.h"
+#include "mesh/index_windows.h"
 #include "support/meshes.h"
 #include "support/verified_picture.h"
 #include "surface/library.h"
@@ -80,7 +80,7 @@ TEST_F(MeshPicture, FromAsNearAsFloatsAllowThePointsAreTheRays) {
   EXPECT_LT(byRays, pixels / 2);
 }
 
-// Its vertices are more than 16 bits number: it is drawn window by window (draw/index_windows.h).
+// Its vertices are more than 16 bits number: it is drawn window by window (mesh/index_windows.h).
 TEST_F(MeshPicture, OfMoreVerticesThan16BitsNumberIsTheTrianglesOwnPoint) {
   const TriangleMesh ball = icosphere(7);
   ASSERT_GT(ball.positions().size(), 2 * kWindowVertices);

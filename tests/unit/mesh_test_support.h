@@ -11,6 +11,7 @@
 #include <map>
 #include <vector>
 
+#include "mesh/index_windows.h"
 #include "mesh/triangle_mesh.h"
 
 namespace luxo {
@@ -109,7 +110,7 @@ inline void expectPromises(const TriangleMesh& mesh) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t index = mesh.indices()[3 * std::size_t(triangle) + k];
         ASSERT_GE(index, cluster.firstVertex);
-        ASSERT_LE(index - cluster.firstVertex, 65535u);
+        ASSERT_LT(index - cluster.firstVertex, kWindowVertices);
         corners[k] = mesh.point(index);
         ASSERT_TRUE(cluster.bounds.contains(corners[k]));
         ASSERT_LE(glm::length(corners[k] - cluster.sphere.center), cluster.sphere.radius);

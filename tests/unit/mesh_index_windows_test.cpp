@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "draw/index_windows.h"
+#include "mesh/index_windows.h"
 #include "support/meshes.h"
 
 namespace luxo::test {

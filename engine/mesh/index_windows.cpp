@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "draw/index_windows.h"
+#include "mesh/index_windows.h"
 
 #include <algorithm>
 
