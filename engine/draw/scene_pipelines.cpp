@@ -258,13 +258,10 @@ void requireFeatures(const gpu::Features& features, const gpu::GraphicsPipelineD
   if (desc.polygonMode == VK_POLYGON_MODE_LINE && !features.fillModeNonSolid)
     throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
                 "choose another shading or another --device");
-  const auto blends = [&](gpu::Blend how) {
-    return std::ranges::find(desc.colors, how, &gpu::ColorAttachment::blend) != desc.colors.end();
-  };
-  if (blends(gpu::Blend::Or) && !features.logicOp)
+  if (blendsBy(desc, gpu::Blend::Or) && !features.logicOp)
     throw Error(ErrorKind::Device, "this device cannot draw shadows (no logicOp)",
                 "choose another --device, or set the lights' shadows to \"none\"");
-  if (blends(gpu::Blend::Through) && !features.dualSrcBlend)
+  if (blendsBy(desc, gpu::Blend::Through) && !features.dualSrcBlend)
     throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
                 "choose another --device");
 }

@@ -95,11 +95,6 @@ std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipel
   return states;
 }
 
-/// Whether some attachment does.
-bool blendsBy(const GraphicsPipelineDesc& desc, Blend blend) {
-  return std::ranges::find(desc.colors, blend, &ColorAttachment::blend) != desc.colors.end();
-}
-
 /// What the shaders of a pipeline ask for.
 struct Asked {
   std::vector<std::uint32_t> attributes;
@@ -269,6 +264,10 @@ VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& de
 }
 
 }  // namespace
+
+bool blendsBy(const GraphicsPipelineDesc& desc, Blend blend) {
+  return std::ranges::find(desc.colors, blend, &ColorAttachment::blend) != desc.colors.end();
+}
 
 GraphicsPipeline::GraphicsPipeline(Context& context, const GraphicsPipelineDesc& desc)
     : GraphicsPipeline(std::move(makeAll(context, {&desc, 1}).front())) {}

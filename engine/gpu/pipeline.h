@@ -75,6 +75,9 @@ struct GraphicsPipelineDesc {
   std::vector<VkDescriptorSetLayout> setLayouts;
 };
 
+/// Whether some attachment does.
+[[nodiscard]] bool blendsBy(const GraphicsPipelineDesc& desc, Blend blend);
+
 class GraphicsPipeline {
  public:
   GraphicsPipeline() = default;
