@@ -333,6 +333,22 @@ TEST_F(LightMapTest, HasMeshesOfItsCastersAndCostsNothingElse) {
   EXPECT_EQ(again.pipelinesCreated, 0U);
 }
 
+// The pane is beside the floor, as the light comes straight down; but not as its rim does.
+TEST_F(LightMapTest, OfAWideLightIsThereForItsPenumbraAlone) {
+  const auto counted = [&](const std::string& radius) {
+    return draw(
+               sceneOf(R"({ "name": "pane", "surface": "pane", "material": "m", "translate": [8.6, 4, 0] },)",
+                       R"("rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                           "light": { "type": "directional", "casters": ["pane"], "radius": )" +
+                           radius + ",",
+                       R"({ "size": 64 })"),
+               kLightMapSize)
+        .statistics.count.shadowPasses;
+  };
+  EXPECT_EQ(counted("0"), 0U);
+  EXPECT_EQ(counted("0.3"), 1U);
+}
+
 TEST_F(LightMapTest, OfOddLightsIsDefined) {
   for (const char* at :
        {"[0, 2, 0]", "[0, 3, 0]", "[0, 0, 0]", "[20, 0, 20]", "[1e6, 1e6, 0]", "[0, -5, 0]", "[1, 7, 6]"})
