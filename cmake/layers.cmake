@@ -18,7 +18,7 @@ set(LUXO_LAYER_shadow base math surface tessellate)
 set(LUXO_LAYER_gpu base)
 set(LUXO_LAYER_image base)
 set(LUXO_LAYER_reference base math formula surface scene image)
-set(LUXO_LAYER_draw base math formula surface scene cull tessellate shell shadow gpu image reference)
+set(LUXO_LAYER_draw base math formula mesh surface scene cull tessellate shell shadow gpu image reference)
 set(LUXO_LAYER_window base math gpu)
 
 # Third-party headers that only the named folders may include: "<header regex>" -> folders.
