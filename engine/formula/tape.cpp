@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "formula/operation.h"
+#include "math/bits.h"
 
 namespace luxo {
 namespace {
@@ -184,6 +185,20 @@ void Tape::boundWhereDefined(const Interval& u, const Interval& v, std::span<con
   require(parameters, bounds.size());
   const PartialInterval* const all = run(PartialInterval(u), PartialInterval(v), parameters);
   for (std::size_t k = 0; k < outputs_.size(); ++k) bounds[k] = all[outputs_[k]];
+}
+
+// Rates and registers follow from the rest.
+bool operator==(const Tape& a, const Tape& b) {
+  return a.steps_ == b.steps_ && a.variables_ == b.variables_ && a.outputs_ == b.outputs_ &&
+         std::ranges::equal(a.phaseEnds_, b.phaseEnds_) && sameBits(a.constants_, b.constants_);
+}
+
+std::uint64_t Tape::hash() const {
+  std::uint64_t hash = mixed(outputs_.size(), constants_);
+  for (const Step& step : steps_)
+    hash =
+        mixed(mixed(hash, std::uint64_t{step.a} << 32 | step.b), std::uint64_t{step.c} << 32 | step.result);
+  return hash;
 }
 
 std::vector<Expr> Tape::expressions(Graph& graph, const std::map<std::uint32_t, Expr>& known) const {

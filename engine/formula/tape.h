@@ -34,6 +34,12 @@ class Tape {
   /// Operations of one evaluation at one point.
   [[nodiscard]] std::size_t stepCount() const { return steps_.size(); }
 
+  /// Whether both do the same to the same numbers, step by step, and so give the same bits everywhere. Of a
+  /// formula that is written in two ways: no.
+  friend bool operator==(const Tape& a, const Tape& b);
+  /// The same of equal ones.
+  [[nodiscard]] std::uint64_t hash() const;
+
   /// Output k at every (u[i], v[i]) in result[k][i].
   [[nodiscard]] std::vector<std::vector<double>> evaluate(std::span<const double> u,
                                                           std::span<const double> v,
@@ -84,6 +90,8 @@ class Tape {
     int exponent = 0;
     std::uint32_t result = 0;
     std::uint32_t a = 0, b = 0, c = 0;
+
+    friend bool operator==(const Step&, const Step&) = default;
   };
   struct Batch;
 

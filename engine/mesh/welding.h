@@ -7,16 +7,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "math/bits.h"
 #include "math/vec.h"
 
 namespace luxo {
 
-/// Mixes a word into a hash (the finalizer of MurmurHash3).
-[[nodiscard]] constexpr std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
-  hash = (hash ^ word) * 0xff51afd7ed558ccdull;
-  hash = (hash ^ (hash >> 33)) * 0xc4ceb9fe1a85ec53ull;
-  return hash ^ (hash >> 33);
-}
 [[nodiscard]] inline std::uint64_t mixed(std::uint64_t hash, const Vec3f& v) {
   hash =
       mixed(hash, std::uint64_t(std::bit_cast<std::uint32_t>(v.x)) << 32 | std::bit_cast<std::uint32_t>(v.y));

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <mutex>
 
 #include "base/assert.h"
 #include "base/error.h"
@@ -16,24 +15,9 @@
 #include "surface/holes.h"
 #include "surface/normal.h"
 #include "surface/spread.h"
-#include "surface/surface_triangles.h"
+#include "surface/surface_description.h"
 
 namespace luxo {
-
-struct Surface::Description {
-  std::vector<Patch> patches;
-  Domain domain;
-  SurfaceTraits traits;
-  Topology topology;
-  std::size_t parameterCount = 0;
-  std::vector<double> initial;
-  std::optional<SurfaceTriangles> triangles;  ///< instead of patches
-
-  // Proven bounds of a surface without parameters never change: they are found when first asked for.
-  mutable std::once_flag boundsOnce, partialsOnce;
-  mutable Box bounds;
-  mutable PartialBounds partials;
-};
 
 namespace {
 
@@ -128,17 +112,20 @@ Surface::Surface(std::vector<Patch> patches, std::vector<Animated<double>> param
     throw Error(ErrorKind::Scene, fmt::format("surface '{}' has no patches", traits.name),
                 "give it at least one");
   for (const Patch& patch : patches) requireDomain(patch.domain, traits.name);
-  std::vector<double> initial;
-  for (const auto& parameter : parameters) initial.push_back(parameter.at(0));
-  auto description = std::make_shared<Description>();
-  description->topology = findTopology(
-      patches, initial, {.name = traits.name, .orientation = traits.orientation, .borders = traits.borders});
-  description->domain = hullOf(patches);
-  description->patches = std::move(patches);
+  auto description = std::make_shared<SurfaceDescription>();
+  for (const auto& parameter : parameters) description->initial.push_back(parameter.at(0));
   description->parameterCount = parameters.size();
-  description->initial = std::move(initial);
+  description->patches = std::move(patches);
   description->traits = std::move(traits);
-  description_ = std::move(description);
+  description_ = SurfaceDescriptions::all().find(*description);
+  if (!description_) {
+    const SurfaceTraits& stated = description->traits;
+    description->topology =
+        findTopology(description->patches, description->initial,
+                     {.name = stated.name, .orientation = stated.orientation, .borders = stated.borders});
+    description->domain = hullOf(description->patches);
+    description_ = SurfaceDescriptions::all().add(description);
+  }
   parameters_ = std::make_shared<const std::vector<Animated<double>>>(std::move(parameters));
 }
 
@@ -150,7 +137,7 @@ Surface::Surface(const TriangleMesh& mesh)
     : Surface(mesh, {.firstTriangle = 0, .triangles = mesh.triangleCount()}) {}
 
 Surface::Surface(const TriangleMesh& mesh, const MeshGroup& group) {
-  auto description = std::make_shared<Description>();
+  auto description = std::make_shared<SurfaceDescription>();
   description->traits.name = mesh.name();
   description->topology.closed = mesh.closed();
   description->topology.borderless = mesh.edges().border == 0;
@@ -167,7 +154,7 @@ Surface::Surface(const TriangleMesh& mesh, const MeshGroup& group) {
 Surface::Surface(const Cloth& cloth) {
   validate(cloth);
   const Surface atRest = clothSurface(cloth, clothAtRest(cloth).positions);
-  auto description = std::make_shared<Description>();
+  auto description = std::make_shared<SurfaceDescription>();
   description->traits.name = atRest.name();
   description->topology = atRest.topology();
   description->domain = atRest.domain();
@@ -300,7 +287,7 @@ Box Surface::boundPosition(std::uint32_t patch, const Domain& cell,
 }
 
 Box Surface::bounds(std::span<const double> parameters) const {
-  const Description& d = *description_;
+  const SurfaceDescription& d = *description_;
   if (d.parameterCount > 0 && !d.triangles) return boundsOf(d.patches, parameters);
   std::call_once(d.boundsOnce, [&] { d.bounds = boundsOf(d.patches, {}); });
   return d.bounds;
@@ -331,7 +318,7 @@ Box Surface::framing(std::span<const double> parameters) const {
 }
 
 PartialBounds Surface::partialBounds(std::span<const double> parameters) const {
-  const Description& d = *description_;
+  const SurfaceDescription& d = *description_;
   if (d.triangles) return {};
   if (d.parameterCount > 0) return partialsOf(d.patches, d.traits.revolution, parameters);
   std::call_once(d.partialsOnce, [&] { d.partials = partialsOf(d.patches, d.traits.revolution, {}); });

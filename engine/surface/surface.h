@@ -43,6 +43,7 @@ namespace luxo {
 struct Cloth;
 class TriangleMesh;
 struct MeshGroup;
+struct SurfaceDescription;
 struct SurfaceTriangles;
 
 /// Upper bounds of the lengths of second derivatives over a rectangle. Infinite when none could be proven.
@@ -100,8 +101,9 @@ class Surface {
   [[nodiscard]] Surface withParameters(std::vector<Animated<double>> parameters) const;
 
   [[nodiscard]] bool valid() const { return description_ != nullptr; }
-  /// Same identity = same patches, topology and traits. Never null for a valid surface; unique while it
-  /// lives.
+  /// Same identity = same patches, topology and traits. Formulas that are made alike, bit by bit, have one,
+  /// so that what is known of a surface by its identity (meshes, shells, casters) is known of the same one in
+  /// the next scene. Never null for a valid surface; unique while it lives.
   [[nodiscard]] const void* identity() const { return description_.get(); }
 
   [[nodiscard]] const std::string& name() const;
@@ -188,8 +190,7 @@ class Surface {
   [[nodiscard]] std::vector<Domain> holes(std::span<const double> parameters) const;
 
  private:
-  struct Description;
-  std::shared_ptr<const Description> description_;
+  std::shared_ptr<const SurfaceDescription> description_;
   std::shared_ptr<const std::vector<Animated<double>>> parameters_;
 };
 

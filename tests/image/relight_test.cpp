@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "draw/scene_painter.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
 #include "support/meshes.h"
 #include "support/picture.h"
 #include "surface/catalogue.h"
@@ -176,6 +178,41 @@ TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {
       ASSERT_TRUE(sameBytes(picture.image, anew(room).image));
     }
   }
+}
+
+/// As a file has it, whose surfaces are made anew whenever it is read.
+Scene sceneWith(const std::string& color) {
+  const std::string before = R"json({"luxo": 1, "parameters": {"k": 1.5},
+    "surfaces": {
+      "wave": {"u": [-2, 2], "v": [-2, 2], "position": ["u", "0.3 * sin(k * u) * cos(2 * v)", "v"]},
+      "cup": {"type": "revolve", "v": [0, 1], "radius": "0.5 + 0.2 * v", "height": "v"},
+      "pipe": {"type": "tube", "u": [0, 1], "curve": ["u", "u * u", "0"], "radius": 0.1},
+      "pot": {"type": "teapot"}, "ring": {"type": "torus", "major": 0.7, "minor": 0.2}},
+    "nodes": [{"surface": "wave", "material": "table", "translate": [0, -1, 0]},
+      {"surface": "cup", "material": "clay", "translate": [1.4, -0.5, 0]},
+      {"surface": "pipe", "material": "clay", "translate": [-1.8, 0, 0]},
+      {"surface": "pot", "material": "clay", "translate": [0, -0.4, 0], "scale": 0.4},
+      {"surface": "ring", "material": "clay", "translate": [0, 0.9, 0]},
+      {"light": {"type": "point", "shadow": "exact"}, "translate": [3, 5, 4]}],
+    "camera": {"eye": [2.5, 2.2, 4.5], "look_at": [0, -0.2, 0]},
+    "materials": {"table": {"diffuse": [0.6, 0.6, 0.6]}, "clay": {"diffuse": )json";
+  return buildScene(parseScene(before + color + "}}}", "room"));
+}
+
+TEST_F(Relighting, AFileThatIsReadAgainWithAnotherColorIsLitAgain) {
+  Scene shown = sceneWith("[0.8, 0.3, 0.1]");
+  const auto render = [](Renderer& by, const Scene& scene) {
+    return by.render(takeSnapshot(scene, 0, kRelightSize));
+  };
+  EXPECT_GT(render(renderer(), shown).statistics.count.shadowPasses, 0U);
+  Scene next = sceneWith("[0.1, 0.3, 0.8]");
+  shown = std::move(next);
+  const Picture again = render(renderer(), shown);
+  EXPECT_EQ(again.statistics.count.passes, 1U);
+  EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
+  EXPECT_EQ(again.statistics.count.tessellated, 0U);
+  Renderer fresh(context());
+  EXPECT_TRUE(sameBytes(again.image, render(fresh, shown).image));
 }
 
 // No buffer that shaders read tells of them.

@@ -124,6 +124,20 @@ TEST(Tape, KnownValues) {
   EXPECT_EQ(grid[0], (std::vector<double>{21, 22, 24, 41, 42, 44}));
 }
 
+TEST(Tape, EqualOnesDoTheSameWhateverElseTheirGraphsHold) {
+  const auto tape = [](double factor, bool crowded) {
+    Graph graph;
+    if (crowded) static_cast<void>(sin(graph.variable(1) * 3.0) + cos(graph.variable(0)));
+    const Expr u = graph.variable(0), v = graph.variable(1);
+    return Tape(graph, std::vector<Expr>{factor * sin(u * v) + cos(u * v), u + factor});
+  };
+  EXPECT_EQ(tape(2, false), tape(2, true));
+  EXPECT_EQ(tape(2, false).hash(), tape(2, true).hash());
+  EXPECT_FALSE(tape(2, false) == tape(2.5, false));
+  EXPECT_FALSE(tape(2, false) == Tape());
+  EXPECT_EQ(Tape(), Tape());
+}
+
 TEST(Tape, WritesWhereItIsTold) {
   // Points of space, component by component, with a gap that nobody touches.
   Graph graph;

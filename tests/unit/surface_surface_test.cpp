@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <random>
+#include <utility>
+#include <vector>
 
+#include "surface/bezier.h"
 #include "surface/surface_function.h"
 #include "surface_samples.h"
 
@@ -258,12 +263,83 @@ TEST(Surface, AnUnboundedSecondDerivativeHasAnInfiniteBound) {
 }
 
 TEST(Surface, IdentityIsSharedByCopies) {
-  const Surface a = sphere(1), b = sphere(1), copy = a;
+  const Surface a = sphere(1), b = sphere(2), copy = a;
   EXPECT_EQ(a.identity(), copy.identity());
   EXPECT_NE(a.identity(), b.identity());
   EXPECT_FALSE(Surface().valid());
   EXPECT_TRUE(a.valid());
   EXPECT_EQ(a.name(), "sphere");
+}
+
+/// A formula of a few that differ in one thing each.
+Surface oneOf(int which) {
+  const Domain square{{0, 1}, {0, 1}};
+  const auto of = [&](double a, double b, const Domain& domain, SurfaceTraits traits, double parameter) {
+    return surface([=](auto u, auto v, auto p) { return point(u, a * sin(u * v) + b, v + p * u * v); },
+                   domain, std::move(traits), parameter);
+  };
+  switch (which) {
+    case 0:
+      return of(1, 0.5, square, {}, 2);
+    case 1:
+      return of(std::nextafter(1.0, 2.0), 0.5, square, {}, 2);
+    case 2:
+      return of(1, 0.25, square, {}, 2);
+    case 3:
+      return of(1, 0.5, {{0, 1}, {0, 2}}, {}, 2);
+    case 4:
+      return of(1, 0.5, square, {.name = "another"}, 2);
+    case 5:
+      return of(1, 0.5, square, {.orientation = -1}, 2);
+    case 6:
+      return of(1, 0.5, square, {}, 3);
+    case 7:
+      return of(1, 0.5, {{-0.0, 1}, {0, 1}}, {}, 2);
+    case 8:
+      return of(1, 0.5, square, {.borders = {{0, Side::UMin}}}, 2);
+    case 9:
+      return surface([](auto u, auto v) { return point(u, 1.0 * sin(u * v) + 0.5, v + 2.0 * u * v); },
+                     square);
+    case 10:
+      return surface([](auto u, auto v, auto p) { return point(u, sin(u * v) + 0.5, v + p * v * v); }, square,
+                     {}, 2.0);
+    case 11:
+      return surface([](auto u, auto v, auto p, auto) { return point(u, sin(u * v) + 0.5, v + p * u * v); },
+                     square, {}, 2.0, 2.0);
+    case 12:
+      return bezier({BezierPatch{}});
+    case 13: {
+      BezierPatch bent{};
+      bent[5] = Vec3(0, 1, 0);
+      return bezier({bent});
+    }
+    default:
+      return torus(1, 0.25 + 0.125 * which);
+  }
+}
+
+TEST(Surface, ThoseMadeAlikeAreOneAndNoOthers) {
+  constexpr int kKinds = 18;
+  std::vector<Surface> first, second;
+  for (int i = 0; i < kKinds; ++i) first.push_back(oneOf(i));
+  for (int i = 0; i < kKinds; ++i) second.push_back(oneOf(i));
+  for (int i = 0; i < kKinds; ++i)
+    for (int k = 0; k < kKinds; ++k)
+      EXPECT_EQ(
+          first[static_cast<std::size_t>(i)].identity() == second[static_cast<std::size_t>(k)].identity(),
+          i == k)
+          << i << ", " << k;
+}
+
+TEST(Surface, ThoseMadeAlikeKeepNoneAlive) {
+  const auto held = [] {
+    const Surface gone = oneOf(0);
+    return std::weak_ptr<const SurfaceFunction>(gone.patches()[0].function);
+  };
+  EXPECT_TRUE(held().expired());
+  for (int i = 0; i < 1000; ++i) static_cast<void>(sphere(1 + 0.001 * i));
+  const Surface again = oneOf(0);
+  EXPECT_EQ(again.position(0, 0.5, 0.5, std::array{2.0}), oneOf(0).position(0, 0.5, 0.5, std::array{2.0}));
 }
 
 TEST(Surface, StatesWhatItIs) {
