@@ -39,6 +39,7 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   ray.off = rounding + varyingOff.x * width;
   // What is off at the caster is off by more behind it, as the light spreads.
   ray.grain = kGrain * vec2(width, has(kParallelLight) ? 0.0 : -width / max(distance_, 1e-37));
+  ray.slant = 1.0 / max(abs(cosine), 1e-6);
   evaluationsLeft = kMaxEvaluations;
   ownMeetings = besideMeetings = 0;
   mayTurnBack = false;

@@ -7,7 +7,7 @@
 // along the ray the meeting is floats tell worse the more the ray grazes the triangle: the triangle's own point, and what may
 // be nearer than that, is told from others as in lib/cell_ray.glsl.
 //
-// Where light grazes the triangle that a point is on, what rounding leaves of the ray moves the borders of shadows there by as
+// Where light grazes what a point is on, what rounding leaves of the ray moves the borders of shadows there by as
 // much more as the triangle is aslant: then a ray that is as near to an edge is open (isAsNearAsBordersMove()).
 
 vec3 cornerOf(CellRay ray, uint first) {
@@ -31,7 +31,7 @@ float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of 
 
 // `width`: of a pixel, at the point.
 bool isAsNearAsBordersMove(CellRay ray, float width) {
-  return (metBesideEdge || passedBesideEdge) && ray.rounding * ownSlant > kMostRounding * width;
+  return (metBesideEdge || passedBesideEdge) && ray.rounding * max(ownSlant, ray.slant) > kMostRounding * width;
 }
 
 int meetsCell(CellRay ray, CasterCell cell) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "scenes/embedded_scenes.h"
 #include "support/meshes.h"
 #include "support/verified_picture.h"
+#include "surface/catalogue.h"
 #include "surface/library.h"
 
 namespace luxo::test {
@@ -218,6 +220,55 @@ TEST_F(ShadowTest, AreTheTruth) {
                         { "translate": [4, 9, 3], "light": { "shadow": "exact" } } ] })",
                                             "shadow"));
     EXPECT_EQ(verified(takeSnapshot(one, 0, {160, 120})).verification.wrong.total(), 0U);
+  }
+}
+
+/// A sun from there.
+Node sunFrom(const Vec3& toward) {
+  const Vec3 way = unit(toward), axis = glm::cross(Vec3(0, 0, 1), way);
+  return {.rotation = Rotation{axis, std::acos(way.z)},
+          .light = Light{.type = Light::Type::Directional, .shadow = Light::Shadow::Exact}};
+}
+
+/// By so low a sun what is off by so little across its rays is off by hundreds of times as much on what it
+/// grazes: waves in each other's shadow, and a floor in that of a body, which is a formula or triangles. Seen
+/// from above.
+TEST_F(ShadowTest, OnWhatIsGrazedAreTheTruth) {
+  std::mt19937 random(3);
+  const auto from = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int i = 0; i < 24; ++i) {
+    SCOPED_TRACE(i);
+    const double slope = std::pow(10, from(-2.5, -1)), low = slope * from(0.3, 0.95), turn = from(-1, 1);
+    Scene scene;
+    Vec3 target(from(-0.5, 0.5), 0, from(-0.5, 0.5));
+    if (i % 2 == 0) {
+      const double waves = from(5, 12), phase = from(0, kTau), bend = from(0, 0.2);
+      scene.add(Node{
+          .surface = surface(
+              [=](auto u, auto v) { return point(u, slope / waves * cos(waves * u + phase + bend * v), -v); },
+              {{-2, 2}, {-2, 2}})});
+    } else {
+      // Its shadow is about an ellipse.
+      const double radius = 0.3, part = from(0, kTau), along = radius / low * (1 + std::cos(part)),
+                   beside = radius * std::sin(part);
+      target = {along * std::cos(turn) + beside * std::sin(turn), 0,
+                -along * std::sin(turn) + beside * std::cos(turn)};
+      scene.add(Node{.surface = rectangle(1000, 1000)});
+      scene.add(Node{.translation = Vec3(0, radius, 0),
+                     .scale = Vec3(radius),
+                     .surface = i % 4 == 1 ? icosphere(2) : makeSurface("superellipsoid")});
+    }
+    scene.add(sunFrom({-std::cos(turn), low, std::sin(turn)}));
+    scene.add(Camera{.eye = target + Vec3(0, 2, 0),
+                     .lookAt = target,
+                     .up = Vec3(0, 0, -1),
+                     .projection = Projection::Orthographic,
+                     .height = std::pow(10, from(-1.5, 0.3))});
+    const Verified found = verified(takeSnapshot(scene, 0, {64, 48}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
   }
 }
 
