@@ -195,9 +195,11 @@ bool operator==(const Tape& a, const Tape& b) {
 
 std::uint64_t Tape::hash() const {
   std::uint64_t hash = mixed(outputs_.size(), constants_);
-  for (const Step& step : steps_)
-    hash =
-        mixed(mixed(hash, std::uint64_t{step.a} << 32 | step.b), std::uint64_t{step.c} << 32 | step.result);
+  for (const std::uint32_t variable : variables_) hash = mixed(hash, variable);
+  for (const Step& step : steps_) {
+    const std::uint64_t operation = std::uint64_t(step.exponent) << 8 ^ static_cast<std::uint64_t>(step.op);
+    hash = mixed(mixed(hash, std::uint64_t{step.a} << 32 | step.b), operation << 32 ^ step.c);
+  }
   return hash;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers by their bits: what tells -0 from 0, and takes a NaN for itself.
+// Numbers by their bits, compared and hashed: what tells -0 from 0, and takes a NaN for itself.
 #pragma once
 
 #include <algorithm>

@@ -263,8 +263,7 @@ Surface makeAnew(const CatalogueEntry& entry, std::span<const SurfaceArgument> a
   return entry.make(SurfaceInputs(values, start, std::move(forms)));
 }
 
-/// The same one each time, so that what is known of it by its identity (meshes, shells, casters) is known in
-/// the next scene, too.
+/// Made once, and kept: no scene compiles it again.
 Surface asListed(const CatalogueEntry& entry) {
   static std::mutex mutex;
   static std::map<const CatalogueEntry*, Surface> made;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <string>
 
 #include "math/bits.h"
 
@@ -20,12 +22,16 @@ std::array<double, 6> numbersOf(const SurfaceTraits& traits) {
   return {traits.orientation, paraboloid.focalLength, paraboloid.height, normal.x, normal.y, normal.z};
 }
 
+bool hasOwnBounds(const SurfaceFunction& function) {
+  return function.bounder.position || function.bounder.tangents || function.bounder.second;
+}
+
 /// Bounds of a family's own are functions: nobody can tell whether two of them are the same.
 bool same(const SurfaceFunction& a, const SurfaceFunction& b) {
   if (&a == &b) return true;
-  return !a.bounder.position && !b.bounder.position && a.originOfU == b.originOfU &&
-         a.position == b.position && a.tangents == b.tangents && a.second == b.second &&
-         a.guards == b.guards && a.guardAtIntegers == b.guardAtIntegers;
+  return !hasOwnBounds(a) && !hasOwnBounds(b) && a.originOfU == b.originOfU && a.position == b.position &&
+         a.tangents == b.tangents && a.second == b.second && a.guards == b.guards &&
+         a.guardAtIntegers == b.guardAtIntegers;
 }
 
 bool same(const GeneralForm::Argument& a, const GeneralForm::Argument& b) {
@@ -49,8 +55,18 @@ bool same(const SurfaceTraits& a, const SurfaceTraits& b) {
          a.borders == b.borders && sameBits(numbersOf(a), numbersOf(b));
 }
 
+/// Which patches share a function: of each the number of its own, in the order in which they come.
+std::vector<std::size_t> functionNumbers(const std::vector<Patch>& patches) {
+  std::unordered_map<const SurfaceFunction*, std::size_t> numbers;
+  std::vector<std::size_t> all;
+  for (const Patch& patch : patches)
+    all.push_back(numbers.try_emplace(patch.function.get(), numbers.size()).first->second);
+  return all;
+}
+
 std::uint64_t hashOf(const SurfaceDescription& description) {
-  std::uint64_t hash = mixed(description.patches.size(), description.initial);
+  std::uint64_t hash = mixed(std::hash<std::string>()(description.traits.name), description.initial);
+  hash = mixed(hash, numbersOf(description.traits));
   for (const Patch& patch : description.patches)
     hash =
         mixed(mixed(mixed(hash, numbersOf(patch.domain)), patch.constants), patch.function->position.hash());
@@ -61,8 +77,9 @@ std::uint64_t hashOf(const SurfaceDescription& description) {
 
 bool madeAlike(const SurfaceDescription& a, const SurfaceDescription& b) {
   const auto samePatch = [](const Patch& x, const Patch& y) { return same(x, y); };
-  return sameBits(a.initial, b.initial) && std::ranges::equal(a.patches, b.patches, samePatch) &&
-         same(a.traits, b.traits);
+  return same(a.traits, b.traits) && sameBits(a.initial, b.initial) &&
+         std::ranges::equal(a.patches, b.patches, samePatch) &&
+         functionNumbers(a.patches) == functionNumbers(b.patches);
 }
 
 SurfaceDescriptions& SurfaceDescriptions::all() {

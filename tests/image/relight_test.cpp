@@ -55,7 +55,7 @@ struct Room {
     scene.set(RenderSettings{.background = background, .ambient = ambient});
     std::vector<MaterialId> ids;
     for (const Material& material : materials) ids.push_back(scene.add(material));
-    // Made once: who makes them anew has others.
+    // Made once: triangles that are made anew are others.
     static const Surface kFloor = rectangle(8, 8), kRing = torus(0.8, 0.3),
                          kBody = makeSurface("superellipsoid"), kMesh = icosphere(2), kBar = sphere(0.4),
                          kEndless = surface([](auto u, auto v,
@@ -182,16 +182,16 @@ TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {
 
 /// As a file has it, whose surfaces are made anew whenever it is read.
 Scene sceneWith(const std::string& color) {
-  const std::string before = R"json({"luxo": 1, "parameters": {"k": 1.5},
+  const std::string before = R"json({"luxo": 1, "params": {"k": 1.5},
     "surfaces": {
-      "wave": {"u": [-2, 2], "v": [-2, 2], "position": ["u", "0.3 * sin(k * u) * cos(2 * v)", "v"]},
+      "wave": {"type": "formula", "u": [-2, 2], "v": [-2, 2], "position": ["u", "0.3 * sin(k * u) * cos(2 * v)", "v"]},
       "cup": {"type": "revolve", "v": [0, 1], "radius": "0.5 + 0.2 * v", "height": "v"},
       "pipe": {"type": "tube", "u": [0, 1], "curve": ["u", "u * u", "0"], "radius": 0.1},
       "pot": {"type": "teapot"}, "ring": {"type": "torus", "major": 0.7, "minor": 0.2}},
     "nodes": [{"surface": "wave", "material": "table", "translate": [0, -1, 0]},
       {"surface": "cup", "material": "clay", "translate": [1.4, -0.5, 0]},
       {"surface": "pipe", "material": "clay", "translate": [-1.8, 0, 0]},
-      {"surface": "pot", "material": "clay", "translate": [0, -0.4, 0], "scale": 0.4},
+      {"surface": "pot", "material": "clay", "translate": [0, -0.4, 0], "scale": [0.4, 0.4, 0.4]},
       {"surface": "ring", "material": "clay", "translate": [0, 0.9, 0]},
       {"light": {"type": "point", "shadow": "exact"}, "translate": [3, 5, 4]}],
     "camera": {"eye": [2.5, 2.2, 4.5], "look_at": [0, -0.2, 0]},

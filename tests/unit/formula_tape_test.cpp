@@ -124,18 +124,45 @@ TEST(Tape, KnownValues) {
   EXPECT_EQ(grid[0], (std::vector<double>{21, 22, 24, 41, 42, 44}));
 }
 
-TEST(Tape, EqualOnesDoTheSameWhateverElseTheirGraphsHold) {
+TEST(Tape, EqualOnesDoTheSame) {
   const auto tape = [](double factor, bool crowded) {
     Graph graph;
-    if (crowded) static_cast<void>(sin(graph.variable(1) * 3.0) + cos(graph.variable(0)));
-    const Expr u = graph.variable(0), v = graph.variable(1);
-    return Tape(graph, std::vector<Expr>{factor * sin(u * v) + cos(u * v), u + factor});
+    const Expr u = graph.variable(0);
+    const Expr v = graph.variable(1);
+    const Expr angle = u * v;
+    if (crowded) static_cast<void>(sin(v * 3.0) + cos(u));
+    const Expr sine = factor * sin(angle);
+    const Expr first = sine + cos(angle);
+    return Tape(graph, std::vector<Expr>{first, u + factor});
   };
   EXPECT_EQ(tape(2, false), tape(2, true));
   EXPECT_EQ(tape(2, false).hash(), tape(2, true).hash());
   EXPECT_FALSE(tape(2, false) == tape(2.5, false));
   EXPECT_FALSE(tape(2, false) == Tape());
   EXPECT_EQ(Tape(), Tape());
+
+  // What differs in one thing alone, down to the sign of 0.
+  const auto one = [](const auto& formula) {
+    Graph graph;
+    const Expr u = graph.variable(0);
+    const Expr v = graph.variable(1);
+    return Tape(graph, std::vector<Expr>{formula(u, v)});
+  };
+  const std::vector<Tape> all{one([](Expr u, Expr v) { return u * v; }),
+                              one([](Expr u, Expr v) { return u + v; }),
+                              one([](Expr u, Expr) { return sin(u); }),
+                              one([](Expr u, Expr) { return tan(u); }),
+                              one([](Expr, Expr v) { return sin(v); }),
+                              one([](Expr u, Expr) { return pow(u, 3); }),
+                              one([](Expr u, Expr) { return pow(u, 5); }),
+                              one([](Expr u, Expr v) { return max(u, 0.0 * v); }),
+                              one([](Expr u, Expr) { return atan2(u, Expr(0.0)); }),
+                              one([](Expr u, Expr) { return atan2(u, Expr(-0.0)); })};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      EXPECT_EQ(all[i] == all[k], i == k) << i << ", " << k;
+      EXPECT_EQ(all[i].hash() == all[k].hash(), i == k) << i << ", " << k;
+    }
 }
 
 TEST(Tape, WritesWhereItIsTold) {

@@ -8,8 +8,9 @@
 namespace luxo {
 namespace {
 
-Surface wave(double k) {
-  return surface([k](auto u, auto v) { return point(u, sin(k * u), v); }, {{0, 1}, {0, 1}});
+Surface wave(double k, std::string name = "wave") {
+  return surface([k](auto u, auto v) { return point(u, sin(k * u), v); }, {{0, 1}, {0, 1}},
+                 {.name = std::move(name)});
 }
 
 const std::shared_ptr<const SurfaceFunction>& functionOf(const Surface& surface) {
@@ -18,7 +19,8 @@ const std::shared_ptr<const SurfaceFunction>& functionOf(const Surface& surface)
 
 TEST(SurfaceCodes, EqualFormulasShareOne) {
   SurfaceCodes codes;
-  const Surface a = wave(3), b = wave(3), c = wave(4);
+  const Surface a = wave(3), b = wave(3, "another"), c = wave(4);
+  ASSERT_NE(functionOf(a), functionOf(b));
   EXPECT_EQ(codes.get(functionOf(a), 0), codes.get(functionOf(b), 0));
   EXPECT_NE(codes.get(functionOf(a), 0), codes.get(functionOf(c), 0));
   EXPECT_EQ(codes.count(), 2u);

@@ -49,7 +49,7 @@ TEST(ToleranceLevel, IsItsOwnLevelAndNeverAboveItsTolerance) {
 
 TEST(MeshCache, TheSameKeyIsTheSameMesh) {
   MeshCache cache;
-  const Surface ball = sphere(1), copy = ball, other = sphere(1);
+  const Surface ball = sphere(1), copy = ball, other = sphere(2);
   const auto mesh = cache.get(ball, {}, grid(20, 10));
   EXPECT_EQ(cache.tessellated(), 1u);
   EXPECT_EQ(cache.get(ball, {}, grid(20, 10)), mesh);

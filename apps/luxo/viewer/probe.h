@@ -23,6 +23,8 @@ class Probe {
   /// `cursor`: pixels from the top left. Cost: as explainPixel() where the place or the snapshot is another
   /// one than the last time.
   void look(const Scene& scene, const Snapshot& shown, const Vec2& cursor);
+  /// The next look is at another scene, in which nodes may have other names.
+  void forget() { pixel_.reset(); }
 
   /// Copies the colour of that place, where it is not known yet: of the picture number `version`. True: it
   /// did; read() once that is complete.

@@ -293,6 +293,8 @@ class Viewer {
 
   // A scene comes into view.
   void look() {
+    refused_.reset();
+    probe_.forget();
     moment_.look();
     sliders_.adopt(viewed_.scene, viewed_.controls);
     mouse_.adopt(viewed_.scene, viewed_.mouse);
