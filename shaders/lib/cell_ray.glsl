@@ -17,10 +17,10 @@
 //
 // A point that is off its own surface by `off` meets that surface near t = 0, by as much as that moves the solution. Such a
 // meeting is no shadow; but where there are two of them, or one that cannot be the point's own, no float tells, and rays do
-// (kOpen), as where the ray's other end, a light, may be on the surface. Rectangles smaller than `grain` are not cut: one that
-// is plain is a meeting, and where a ray grazes the surface as near as that, rays decide, too. Where the light falls aslant
-// on the point, a border that is off by so much across the ray is off by `slant` times that there: then rectangles are cut
-// on, and rays decide what they leave to rounding.
+// (kOpen), as where the ray's other end, a light, may be on the surface. Rectangles smaller than `grain`, or than some
+// roundings, are not cut: one that is plain is a meeting, or beside an edge none, and where a ray grazes the surface as near
+// as that, rays decide, too. Where the light falls aslant on the point, a border that is off by so much across the ray is off
+// by `slant` times that there: then rectangles are cut on, and rays decide what they leave to rounding.
 
 #include "lib/rounds.glsl"
 
@@ -38,7 +38,7 @@ const float kBorder = 1e-4;        // of half a rectangle
 
 const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
 const float kMostRounding = 4e-3;  // pixels
-const float kMostBorder = 8e-3;    // pixels, on what the ray begins at: kSilhouettePx (reference/verification.h), and some less
+const float kMostBorder = 8e-3;    // pixels, on what the ray begins at: kSilhouettePx (reference/verification.h), and less, as rays to corners are longer
 
 struct CellRay {
   vec3 from, along;       // unit
@@ -130,7 +130,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
     bool isProven = isInside && tMiddle - tOff > ray.first + own && tMiddle + tOff < ray.last;
     bool isSeeming = isGrain && isHere && !isOwn && tMiddle > ray.first + own && tMiddle < ray.last;
     bool isMet = !passes && isPlain && (isProven || isSeeming);
-    if (isMet && !isProven && !isSharp) return kOpen;
+    if (!passes && isPlain && isGrain && !isProven && !isOwn && !isSharp) return kOpen;
     if (isMet && endsAt(ray, cell, rectangle.xy + h * middle, !isInside)) return kMet;
     if (!passes && !isMet && isGrain && !isPlain) return kOpen;
     // Of a meeting on a border between two rectangles one counts, but for rounding.

@@ -11,6 +11,7 @@
 const int kMet = 1, kPassed = 0, kOpen = 2;
 const float kUlps = 2.4e-7;  // 2^-22
 const float kTiny = 1e-37;
+const float kLeastCosine = 1e-4;  // above what the 16 bits of a mesh's octahedral normal leave of one, 6e-5
 
 struct ClosedRay {
   vec3 from, way;   // to the light, or toward it
@@ -32,7 +33,7 @@ int meets(ClosedCaster caster, ClosedRay ray) {
 int closedShadowAt(ClosedCaster caster, vec3 position, float cosine, float lit, float width, uint material) {
   bool isOwn = material == caster.material;
   if ((caster.flags & kGatedLight) != 0 && lit <= 0.0) return kPassed;
-  if (isOwn && (kClosedKind == kClosedPlane || ((caster.flags & kConvexCaster) != 0 && cosine > 0.0))) return kPassed;
+  if (isOwn && (kClosedKind == kClosedPlane || ((caster.flags & kConvexCaster) != 0 && cosine > kLeastCosine))) return kPassed;
   ClosedRay ray;
   for (int i = 0; i < 3; ++i)
     ray.from[i] = dot(caster.unitFromRelative[i].xyz, position) + caster.unitFromRelative[i].w;

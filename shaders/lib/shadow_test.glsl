@@ -4,6 +4,7 @@
 #include "lib/caster.glsl"
 
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
+const float kLeastCosine = 1e-4;   // above what the 16 bits of a mesh's octahedral normal leave of one, 6e-5
 
 // Whether a point of that normal gets nothing of the light, shadow or not.
 bool facesAway(vec3 position, vec3 normal) {
@@ -15,7 +16,7 @@ bool facesAway(vec3 position, vec3 normal) {
 int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   vec3 toLight = varyingLightRelative.xyz - varyingLightRelative.w * position;
   float cosine = dot(normal, toLight) * inversesqrt(max(dot(toLight, toLight), 1e-37));
-  if (isOwn && (has(kFlatCaster) || (has(kConvexCaster) && cosine > 0.0))) return kPassed;
+  if (isOwn && (has(kFlatCaster) || (has(kConvexCaster) && cosine > kLeastCosine))) return kPassed;
   if (has(kFlatCaster) && dot(varyingPlane, vec4(position, 1)) > kBesidePlane * (length(position) + abs(varyingPlane.w)))
     return kPassed;
 
@@ -46,6 +47,7 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
 #ifdef LUXO_TRIANGLES
   metBesideEdge = passedBesideEdge = false;
   ownSlant = 0.0;
+  widthBesideEdge = 1e30;
 #endif
   // What one cell leaves open another may settle.
   int result = kPassed;
@@ -67,7 +69,7 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   // they may part others, too.
   bool isSettled = ownMeetings == (isOwn ? 1 : 0);
 #ifdef LUXO_TRIANGLES
-  if (isAsNearAsBordersMove(ray, width)) return kOpen;
+  if (result != kMet && isAsNearAsBordersMove(ray)) return kOpen;
   if (metBesideEdge && result == kPassed) return isSettled ? kMet : kOpen;
 #endif
   bool mayHaveTwo = isOwn && besideMeetings > 0 && mayTurnBack;

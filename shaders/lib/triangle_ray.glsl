@@ -28,11 +28,13 @@ float metAt, metOff;
 // The ray has met, or passed, a triangle so near to an edge that floats do not tell which.
 bool metBesideEdge = false, passedBesideEdge = false;
 float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of the ray's height over it
+float widthBesideEdge = 1e30;  // the least of a pixel, there: where light spreads, narrower than at the point
 
-// `width`: of a pixel, at the point.
-bool isAsNearAsBordersMove(CellRay ray, float width) {
-  return (metBesideEdge || passedBesideEdge) && ray.rounding * max(ownSlant, ray.slant) > kMostRounding * width;
+bool isAsNearAsBordersMove(CellRay ray) {
+  return (metBesideEdge || passedBesideEdge) && ray.rounding * max(ownSlant, ray.slant) > kMostRounding * widthBesideEdge;
 }
+
+void noteEdge(CellRay ray, float t) { widthBesideEdge = min(widthBesideEdge, (ray.grain.x + ray.grain.y * t) / kGrain); }
 
 int meetsCell(CellRay ray, CasterCell cell) {
   precise vec3 a = cornerOf(ray, 0), b = cornerOf(ray, 3), c = cornerOf(ray, 6);
@@ -55,6 +57,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
   if (t + off <= ray.first - own || t - off >= ray.last) return kPassed;
   if (passes) {
     passedBesideEdge = true;
+    noteEdge(ray, t);
     return kPassed;
   }
   // Where floats are as coarse as that borders would be off.
@@ -67,6 +70,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
     if (t - off <= kMovedPx / kGrain * ray.grain.x * aslant) return kOpen;
     // Whether that matters the triangle that the point is on tells.
     metBesideEdge = metBesideEdge || isBeside;
+    if (isBeside) noteEdge(ray, t);
     return isBeside ? kPassed : kMet;
   }
   if (abs(t) + off > 2.0 * own) return kOpen;  // beside the light

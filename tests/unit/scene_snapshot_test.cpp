@@ -84,7 +84,7 @@ TEST(Snapshot, EditsAreFoundOneByOne) {
   EXPECT_TRUE(after([](Scene& s) { s.remove(NodeId{1}); }).structure);
   EXPECT_TRUE(after([](Scene& s) { s.add(Node{.surface = sphere(1)}); }).structure);
   EXPECT_TRUE(after([](Scene& s) {
-                s.set(NodeId{0}, Node{.surface = rectangle(4, 4)});
+                s.set(NodeId{0}, Node{.surface = rectangle(4, 5)});
               }).structure);  // another surface
   EXPECT_FALSE(after([](Scene& s) { s.add(Node{.name = "nothing to see"}); }).any());
   const Changes bigger = changesSince(before, takeSnapshot(scene, 0, {200, 100}));
