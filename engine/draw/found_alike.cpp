@@ -12,13 +12,13 @@ namespace {
 
 /// Bit by bit. Bytes between members may differ without a reason: then no.
 template <class T>
-bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
   static_assert(std::is_trivially_copyable_v<T>);
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 template <class T>
-bool sameBits(const T& a, const T& b) {
+bool sameBytes(const T& a, const T& b) {
   static_assert(std::is_trivially_copyable_v<T>);
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
@@ -35,7 +35,7 @@ bool same(const DrawBatch& a, const DrawBatch& b) {
 
 bool same(const FoundNode& a, const FoundNode& b) {
   return a.node == b.node && a.lightSet == b.lightSet && a.state == b.state &&
-         sameBits(a.instance, b.instance);
+         sameBytes(a.instance, b.instance);
 }
 
 bool same(const CasterDraw& a, const CasterDraw& b) {
@@ -43,8 +43,8 @@ bool same(const CasterDraw& a, const CasterDraw& b) {
 }
 
 bool same(const FlatShadowDraw& a, const FlatShadowDraw& b) {
-  return a.state == b.state && a.mesh == b.mesh && sameBits(a.shadow, b.shadow) &&
-         sameBits(a.caster, b.caster);
+  return a.state == b.state && a.mesh == b.mesh && sameBytes(a.shadow, b.shadow) &&
+         sameBytes(a.caster, b.caster);
 }
 
 bool same(const PlacedNode& a, const PlacedNode& b) { return a.node == b.node && a.material == b.material; }
@@ -64,9 +64,9 @@ bool same(const LightGroup& a, const LightGroup& b) {
 }
 
 bool same(const Casters& a, const Casters& b) {
-  return sameBits(a.closed, b.closed) && sameBits(a.meshes, b.meshes) && sameBits(a.casters, b.casters) &&
-         a.gridStarts == b.gridStarts && sameBits(a.gridEntries, b.gridEntries) &&
-         sameBits(a.cells, b.cells) && sameBits(a.parameters, b.parameters);
+  return sameBytes(a.closed, b.closed) && sameBytes(a.meshes, b.meshes) && sameBytes(a.casters, b.casters) &&
+         a.gridStarts == b.gridStarts && sameBytes(a.gridEntries, b.gridEntries) &&
+         sameBytes(a.cells, b.cells) && sameBytes(a.parameters, b.parameters);
 }
 
 /// What finds points asks of a material whether it lets something through, and where it ends.
@@ -112,10 +112,10 @@ bool findsAlike(const DrawList& last, const DrawList& next) {
                     list.outlines, list.tooLarge, list.findsParameters, list.findsFootprints,
                     list.findsFrames, list.occludes, list.runsShaders, list.findsPlaces, list.boundPx);
   };
-  return facts(last) == facts(next) && sameBits(last.view, next.view) &&
-         sameBits(last.instances, next.instances) && sameBits(last.exactInstances, next.exactInstances) &&
-         sameBits(last.exactPatches, next.exactPatches) &&
-         sameBits(last.exactParameters, next.exactParameters) && sameBits(last.lightSets, next.lightSets) &&
+  return facts(last) == facts(next) && sameBytes(last.view, next.view) &&
+         sameBytes(last.instances, next.instances) && sameBytes(last.exactInstances, next.exactInstances) &&
+         sameBytes(last.exactPatches, next.exactPatches) &&
+         sameBytes(last.exactParameters, next.exactParameters) && sameBytes(last.lightSets, next.lightSets) &&
          same(last.opaque, next.opaque) && same(last.found, next.found) && same(last.places, next.places) &&
          same(last.placed, next.placed) && same(last.groups, next.groups) &&
          same(last.casters, next.casters) &&

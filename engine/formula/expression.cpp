@@ -11,6 +11,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "math/bits.h"
 
 namespace luxo {
 
@@ -72,8 +73,7 @@ std::uint32_t hash(const ExprNode& node) {
 
 /// By bits, so that NaN is one constant and -0 is not 0.
 bool same(const ExprNode& x, const ExprNode& y) {
-  return x.op == y.op && x.a == y.a && x.b == y.b && x.c == y.c &&
-         std::bit_cast<std::uint64_t>(x.value) == std::bit_cast<std::uint64_t>(y.value);
+  return x.op == y.op && x.a == y.a && x.b == y.b && x.c == y.c && sameBits(x.value, y.value);
 }
 
 }  // namespace

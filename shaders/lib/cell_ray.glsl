@@ -38,7 +38,8 @@ const float kBorder = 1e-4;        // of half a rectangle
 
 const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
 const float kMostRounding = 4e-3;  // pixels
-const float kMostBorder = 8e-3;    // pixels, on what the ray begins at: kSilhouettePx (reference/verification.h), and less, as rays to corners are longer
+const float kMostBorder = 8e-3;    // pixels, on what the ray begins at; kSilhouettePx at a usual picture's corners, whose rays
+                                   // are longer (reference/verification.h)
 
 struct CellRay {
   vec3 from, along;       // unit
@@ -46,7 +47,7 @@ struct CellRay {
   float first, last;      // metres from `from`: what is nearer or farther is not met
   float rounding, off;    // metres: how far floats leave the ray, and the point its surface
   vec2 grain;             // metres: at `from`; what it grows by in a metre
-  float slant;            // 1 / the cosine of the ray with the surface that it begins at; 0: with none
+  float slant;            // 1 / the cosine of the ray with the normal where it begins, of a surface; 0: of none
 };
 
 // T. Duff et al., "Building an orthonormal basis, revisited", 2017.

@@ -11,7 +11,6 @@
 const int kMet = 1, kPassed = 0, kOpen = 2;
 const float kUlps = 2.4e-7;  // 2^-22
 const float kTiny = 1e-37;
-const float kLeastCosine = 1e-4;  // above what the 16 bits of a mesh's octahedral normal leave of one, 6e-5
 
 struct ClosedRay {
   vec3 from, way;   // to the light, or toward it

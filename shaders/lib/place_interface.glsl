@@ -14,6 +14,9 @@ layout(location = 0) flat LUXO_VARYING vec3 varyingPlace[3];  // middle, right, 
 layout(location = 3) flat LUXO_VARYING vec3 varyingRay[3];
 layout(location = 6) flat LUXO_VARYING vec4 varyingMiddle;    // x, y; whether perspective; the depth of what positions are relative to
 
+// Less than that floats do not tell of a cosine with a normal of what is there: the 16 bits of a mesh's leave 6e-5 of it.
+const float kLeastCosine = 1e-4;
+
 #ifndef LUXO_VERTEX
 // Where the pixel's ray is at a depth beyond that of what positions are relative to.
 vec3 placeAtDepth(float depth) {

@@ -4,7 +4,6 @@
 #include "lib/caster.glsl"
 
 const float kBesidePlane = 1e-6;   // of the distances involved: what floats leave of one
-const float kLeastCosine = 1e-4;   // above what the 16 bits of a mesh's octahedral normal leave of one, 6e-5
 
 // Whether a point of that normal gets nothing of the light, shadow or not.
 bool facesAway(vec3 position, vec3 normal) {
