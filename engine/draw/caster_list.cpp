@@ -120,6 +120,14 @@ bool CasterList::losesMore(const SnapshotNode& node) {
   return cells->rounding > kRounding * (glm::length(origin) + glm::length(farthest));
 }
 
+double CasterList::roundingOfPlaces(const SnapshotNode& node) {
+  const Transform& place = node.worldFromObject;
+  const Vec3 farthest = glm::max(glm::abs(node.boundsObject.min), glm::abs(node.boundsObject.max));
+  const double formula = geometry_.casters.rounding(node.surface, node.parameters) / shared::kUsualRounding;
+  return largestStretch(place.linear) * std::max(kRounding * glm::length(farthest), formula) +
+         kRounding * glm::distance(place.translation, list_.origin);
+}
+
 std::shared_ptr<const LightGrid> CasterList::gridThatFits(const SnapshotNode& node, const Vec4& fromObject,
                                                           int gridSize) {
   // With fewer texels than that lists are too long to be walked: rays are faster.

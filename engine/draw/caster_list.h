@@ -38,6 +38,9 @@ class CasterList {
   /// Whether single precision loses more of the caster's formula than of the distances involved. Where a
   /// light grazes what it falls on, what a caster is off by moves its shadow far more: rays find that.
   [[nodiscard]] bool losesMore(const SnapshotNode& node);
+  /// How far from its surface floats leave a point of a mesh that is found by its parameters
+  /// (shaders/lib/surface_place.glsl); metres.
+  [[nodiscard]] double roundingOfPlaces(const SnapshotNode& node);
   /// The number of the caster.
   std::uint32_t add(const shared::ShadowCaster& caster);
 

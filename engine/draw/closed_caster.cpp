@@ -52,7 +52,7 @@ bool isFinite(const shared::ClosedCaster& caster) {
 }  // namespace
 
 std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const SnapshotNode& node,
-                                         const Vec4& light, const Vec3& origin, double offPx,
+                                         const Vec4& light, const Vec3& origin, const OffSurfaces& off,
                                          CasterCache& casters) {
   const std::optional<CasterEquation>& known = casters.equation(node.surface, node.parameters);
   if (!known) return std::nullopt;
@@ -84,11 +84,13 @@ std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const Snapsho
   caster.atLight = static_cast<float>(torus ? torusAt(equation.tube, at) : quadricAt(caster, at));
   caster.lowest = Vec3f(glm::max(known->edges.min - middle, Vec3(-kNowhere)));
   caster.highest = Vec3f(glm::min(known->edges.max - middle, Vec3(kNowhere)));
-  caster.rounding = Vec3f(kEquationRounding * (glm::abs(from) + equation.reach + std::abs(center)));
+  caster.rounding = Vec3f(kEquationRounding * (glm::abs(from) + equation.reach + std::abs(center)) +
+                          off.rounding * lengths);
   caster.roundingPerMetre = Vec3f(kEquationRounding * lengths);
-  caster.offPerPixel = static_cast<float>(offPx / (snapshot.view.pixelsPerUnit * kEquationRounding));
+  caster.offPerPixel = static_cast<float>(off.px / (snapshot.view.pixelsPerUnit * kEquationRounding));
+  if (off.rounding > 0) caster.flags |= shared::kRoundedPlaces;
   if (equation.isRadial()) {
-    caster.flags = shared::kRadialCaster;
+    caster.flags |= shared::kRadialCaster;
     if (caster.lowest.x <= 0) caster.lowest.x = static_cast<float>(-kNowhere);  // the axis is no edge
   }
   made.kind = torus                ? shared::kClosedTorus

@@ -18,14 +18,20 @@ struct ClosedCaster {
   shared::ClosedCaster data{};
 };
 
+/// How far points that shadows fall on may be off their surfaces, where what is drawn is only near to these.
+struct OffSurfaces {
+  double px = 0;        ///< of meshes
+  double rounding = 0;  ///< of points that are found by their parameters: what floats leave; metres
+};
+
 /// `light`: world; w = 1: where it is; w = 0: the direction toward it. `origin`: what positions are relative
-/// to, world. `offPx`: how far what is drawn may be off its surface.
+/// to, world.
 ///
 /// Nothing of a node without equations, or with several that are not the sheets of one; nor where the light
 /// is on the quadric or inside of the torus, as near as 1e-6, or a torus is nearly or more than closed: cells
 /// tell there. Cost: a microsecond, and that of the equation once (CasterCache).
 [[nodiscard]] std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const SnapshotNode& node,
-                                                       const Vec4& light, const Vec3& origin, double offPx,
-                                                       CasterCache& casters);
+                                                       const Vec4& light, const Vec3& origin,
+                                                       const OffSurfaces& off, CasterCache& casters);
 
 }  // namespace luxo

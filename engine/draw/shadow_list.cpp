@@ -70,6 +70,8 @@ class ShadowLister {
     gated_ = std::ranges::none_of(snapshot.materials, &Material::lightsBelowHorizon);
     for (const auto* batches : {&list.opaque, &list.layers.meshes})
       for (const DrawBatch& batch : *batches) offPx_ = std::max(offPx_, offPxOf(batch));
+    for (const PlacedNode& placed : list.placed) addPlaces(placed.node);
+    for (const std::uint32_t placed : list.layers.placed) addPlaces(placed);
   }
 
   void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
@@ -100,6 +102,10 @@ class ShadowLister {
       if (!placed) return options_.tolerancePx * (options_.standIns ? kStandInTolerance : 1);
     }
     return 0;
+  }
+
+  void addPlaces(std::uint32_t node) {
+    placeRounding_ = std::max(placeRounding_, casters_.roundingOfPlaces(snapshot_.nodes[node]));
   }
 
   [[nodiscard]] const Material& materialOf(const SnapshotNode& node) const {
@@ -252,8 +258,8 @@ class ShadowLister {
   bool addClosed(std::uint32_t bit, const SnapshotLight& light, const SnapshotNode& node,
                  const PixelRect& area) {
     if (materialOf(node).letsLightThrough()) return false;
-    const auto closed =
-        closedCaster(snapshot_, node, light.positionWorld, list_.origin, offPx_, geometry_.casters);
+    const auto closed = closedCaster(snapshot_, node, light.positionWorld, list_.origin,
+                                     {offPx_, placeRounding_}, geometry_.casters);
     if (!closed) return false;
     Closed& caster = closed_.emplace_back(Closed{closed->data, closed->kind, area});
     caster.data.light_ = bit;
@@ -316,6 +322,8 @@ class ShadowLister {
     caster.light = bit;
     caster.flags |= flagsOf(node, entry->cells->convex);
     caster.offPixels = static_cast<float>(offPx_);
+    caster.rounding +=
+        static_cast<float>(placeRounding_ * largestStretch(glm::inverse(node.worldFromObject.linear)));
     caster.material = numberOf(node);
     if (entry->cells->flatNormal) setPlane(light, node, *entry->cells, caster);
     CasterDraw draw{.state = {.surface = found.code}, .area = area};
@@ -457,6 +465,7 @@ class ShadowLister {
   Box receivers_;  ///< of these
   bool gated_ = true;
   double offPx_ = kExactTolerancePx;
+  double placeRounding_ = 0;  ///< metres
 };
 
 }  // namespace

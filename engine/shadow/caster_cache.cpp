@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "surface/formula_rounding.h"
+
 namespace luxo {
 namespace {
 
@@ -70,6 +72,10 @@ std::shared_ptr<const LightGrid> CasterCache::grid(const Surface& surface, std::
 const std::optional<CasterEquation>& CasterCache::equation(const Surface& surface,
                                                            std::span<const double> parameters) {
   return equations_.get(surface, parameters, [&] { return casterEquation(surface, parameters); });
+}
+
+double CasterCache::rounding(const Surface& surface, std::span<const double> parameters) {
+  return roundings_.get(surface, parameters, [&] { return formulaRounding(surface, parameters); });
 }
 
 }  // namespace luxo

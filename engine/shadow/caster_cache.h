@@ -44,6 +44,9 @@ class CasterCache {
   [[nodiscard]] const std::optional<CasterEquation>& equation(const Surface& surface,
                                                               std::span<const double> parameters);
 
+  /// formulaRounding() of all patches; object units.
+  [[nodiscard]] double rounding(const Surface& surface, std::span<const double> parameters);
+
   /// Casters and maps made so far (not found here).
   [[nodiscard]] std::uint64_t made() const { return cells_.made() + grids_.made(); }
 
@@ -65,6 +68,7 @@ class CasterCache {
   ShapeCache<Key, LightGrid> grids_;
   ShapeTable<CurvatureMap> maps_{64};
   ShapeTable<std::optional<CasterEquation>> equations_{1024};
+  ShapeTable<double> roundings_{1024};
 };
 
 /// How far from where they should be rays may be, at most, of a caster's size: its maps have room for it.

@@ -163,8 +163,7 @@ CasterCells makeCasterCells(const Surface& surface, const SurfaceTriangles& tria
 CasterCells makeCasterCells(const Surface& surface, std::span<const double> parameters,
                             const CurvatureMap& map) {
   CasterCells made = Cutter(surface, parameters, map).cut();
-  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
-    made.rounding = std::max(made.rounding, formulaRounding(surface, patch, parameters));
+  made.rounding = formulaRounding(surface, parameters);
   return made;
 }
 

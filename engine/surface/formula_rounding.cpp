@@ -42,4 +42,11 @@ double formulaRounding(const Surface& surface, std::uint32_t patchNumber,
   return most;
 }
 
+double formulaRounding(const Surface& surface, std::span<const double> parameters) {
+  double most = 0;
+  for (std::uint32_t patch = 0; patch < surface.patchCount(); ++patch)
+    most = std::max(most, formulaRounding(surface, patch, parameters));
+  return most;
+}
+
 }  // namespace luxo

@@ -15,4 +15,7 @@ namespace luxo {
 [[nodiscard]] double formulaRounding(const Surface& surface, std::uint32_t patch,
                                      std::span<const double> parameters);
 
+/// The most of all patches.
+[[nodiscard]] double formulaRounding(const Surface& surface, std::span<const double> parameters);
+
 }  // namespace luxo
