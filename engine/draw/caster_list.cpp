@@ -15,6 +15,8 @@ namespace {
 
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kRounding = 0x1p-21;
+/// What a formula loses is measured at some hundred places, and a bound has to hold everywhere.
+constexpr double kTimesMeasured = 4;
 /// Of parameters: what single precision leaves of a rectangle's middle, and of those of its halves. Without
 /// it there were gaps between cells at many turns of a coil.
 constexpr double kParameterRounding = 0x1p-22;
@@ -95,7 +97,7 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
       .parameters = triangles ? ofTriangle : static_cast<std::uint32_t>(found.parameters[0].size()),
       .flags = from.w == 0 ? shared::kParallelLight : 0,
       .rounding = static_cast<float>(std::max(kRounding * (glm::length(origin) + glm::length(farthest)),
-                                              cells.rounding / shared::kUsualRounding) +
+                                              cells.rounding * kTimesMeasured) +
                                      kParameterRounding * spanOfParameters(node.surface, cells)),
       .roundingPerMetre = static_cast<float>(kRounding * largestStretch(inverse)),
       .margin = static_cast<float>(kGridMargin * cells.size),
@@ -123,7 +125,7 @@ bool CasterList::losesMore(const SnapshotNode& node) {
 double CasterList::roundingOfPlaces(const SnapshotNode& node) {
   const Transform& place = node.worldFromObject;
   const Vec3 farthest = glm::max(glm::abs(node.boundsObject.min), glm::abs(node.boundsObject.max));
-  const double formula = geometry_.casters.rounding(node.surface, node.parameters) / shared::kUsualRounding;
+  const double formula = geometry_.casters.rounding(node.surface, node.parameters) * kTimesMeasured;
   return largestStretch(place.linear) * std::max(kRounding * glm::length(farthest), formula) +
          kRounding * glm::distance(place.translation, list_.origin);
 }

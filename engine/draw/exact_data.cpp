@@ -12,6 +12,7 @@
 #include "draw/exact_shaders.h"
 #include "draw/pixel_rows.h"
 #include "gpu/device.h"
+#include "reference/verification.h"
 
 namespace luxo {
 namespace {
@@ -21,8 +22,9 @@ static_assert(shared::kFarCells + 1 <= kSearchedCells);
 static_assert(4 * shared::kVaryings <= gpu::kVaryingComponents);
 
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
-/// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3.
-constexpr double kMaxRoundingPx = 6e-4;
+/// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3. Of
+/// these at least half is the formula's own; what that loses more than this, as is measured, has to fit, too.
+constexpr double kMaxRoundingPx = 6e-4, kPlacePart = 1.0 / 3;
 static_assert(static_cast<float>(kMaxRoundingPx + kExactTolerancePx) <= shared::kMostTolerancePx);
 /// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
 /// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
@@ -85,12 +87,16 @@ Rounding roundingPx(const View& view, const SnapshotNode& node, const Shell& she
 }
 
 /// The formula's own operations may move a point farther than by what has the object's size, and no residual
-/// tells, as it is computed by the same operations. A ray that is 70 degrees off the normal meets what is
-/// moved along that three times as far off.
+/// tells, as it is computed by the same operations. As far on the screen, at most; perspective: over depth.
+double formulaPx(const View& view, const SnapshotNode& node, const Shell& shell) {
+  return shell.formulaRounding * largestStretch(node.worldFromObject.linear) * view.pixelsPerUnit *
+         slantOf(view);
+}
+
+/// A ray that is 70 degrees off the normal meets what is moved along that three times as far off.
 double formulaRoundingPx(const View& view, const SnapshotNode& node, const Shell& shell) {
   constexpr double kAslant = 3;
-  return kAslant * shell.formulaRounding * largestStretch(node.worldFromObject.linear) * view.pixelsPerUnit *
-         slantOf(view);
+  return kAslant * formulaPx(view, node, shell);
 }
 
 Rounding singlePrecisionPx(const View& view, const SnapshotNode& node, const Shell& shell) {
@@ -204,10 +210,16 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
 }  // namespace
 
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
-  const Rounding rounding = singlePrecisionPx(view, node, shell);
-  const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
-  const auto tooMuch = [&](double depth) { return roundingAt(depth) > kMaxRoundingPx; };
+  const Rounding place = roundingPx(view, node, shell, GlslNumber::Float),
+                 rounding = singlePrecisionPx(view, node, shell);
+  const double formula = formulaPx(view, node, shell);
+  const auto tooMuch = [&](double depth) {
+    const double accepted = place.everywhere + place.near / depth,
+                 beside = kPlacePart * accepted + formula / (view.perspective() ? depth : 1);
+    return accepted > kMaxRoundingPx || accepted + beside > kPointPx;
+  };
   if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
+  const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
   const double depth = std::max(visible.centerDepth, view.near);
   const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);
   return glm::length(node.boundsObject.extent()) * scale > kSmallPx &&

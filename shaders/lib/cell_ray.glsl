@@ -18,9 +18,9 @@
 // A point that is off its own surface by `off` meets that surface near t = 0, by as much as that moves the solution. Such a
 // meeting is no shadow; but where there are two of them, or one that cannot be the point's own, no float tells, and rays do
 // (kOpen), as where the ray's other end, a light, may be on the surface. Rectangles smaller than `grain`, or than some
-// roundings, are not cut: one that is plain is a meeting, or beside an edge none, and where a ray grazes the surface as near
-// as that, rays decide, too. Where the light falls aslant on the point, a border that is off by so much across the ray is off
-// by `slant` times that there: then rectangles are cut on, and rays decide what they leave to rounding.
+// roundings, are not cut. Of sight one that is plain is a meeting, or beside an edge none, and where a ray grazes the surface
+// as near as that, rays decide. Of light nothing is taken for granted: where it falls aslant on a point a border that is off
+// by so little across the ray is off by far more, so that rectangles are cut on, and rays decide what they leave to rounding.
 
 #include "lib/rounds.glsl"
 
@@ -32,14 +32,9 @@ const int kCuts = 31;              // of a cell, each in half: a bit each
 const int kMaxEvaluations = LUXO_EVALUATIONS;  // of a ray; a few dozen where it grazes, 4 elsewhere
 
 const float kBorder = 1e-4;        // of half a rectangle
-#ifndef LUXO_USUAL_ROUNDING
-#define LUXO_USUAL_ROUNDING kUsualRounding
-#endif
 
 const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
 const float kMostRounding = 4e-3;  // pixels
-const float kMostBorder = 8e-3;    // pixels, on what the ray begins at; kSilhouettePx at a usual picture's corners, whose rays
-                                   // are longer (reference/verification.h)
 
 struct CellRay {
   vec3 from, along;       // unit
@@ -47,14 +42,14 @@ struct CellRay {
   float first, last;      // metres from `from`: what is nearer or farther is not met
   float rounding, off;    // metres: how far floats leave the ray, and the point its surface
   vec2 grain;             // metres: at `from`; what it grows by in a metre
-  float slant;            // 1 / the cosine of the ray with the normal where it begins, of a surface; 0: of none
+  bool isSight;           // and no light
 };
 
 // T. Duff et al., "Building an orthonormal basis, revisited", 2017.
 CellRay cellRay(vec3 from, vec3 along) {
   float s = along.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + along.z), b = along.x * along.y * a;
   return CellRay(from, along, vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x),
-                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), 0.0);
+                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), false);
 }
 
 // Told of every meeting, with its parameters, less originOfU; `atBorder`: a neighbouring rectangle may have it, too. Whether
@@ -118,20 +113,19 @@ int meetsCell(CellRay ray, CasterCell cell) {
                   abs(crossOf(f, a)) > abs(area) + bend * lengthA || abs(crossOf(f, b)) > abs(area) + bend * lengthB ||
                   dot(f, f) > abs(dot(f, a)) + abs(dot(f, b)) + bend * length(f);
     bool isOwn = ray.off > 0.0 && isPlain && abs(tMiddle) + tOff <= 2.0 * own;
-    // What floats leave is less than its bound, and the surface may end here: what is beyond an edge by more is not met.
-    vec2 beyond = abs(middle) - LUXO_USUAL_ROUNDING * off;
+    // The surface may end here: what is beyond an edge by more than rounding is not met.
+    vec2 beyond = abs(middle) - off;
     bool isHere = max(beyond.x, beyond.y) <= 1.0;
     float grain = ray.grain.x + ray.grain.y * (ray.grain.y > 0.0 ? t - reach : t + reach);
     // Where floats are as coarse as that borders would be off.
     if (!passes && kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
-    bool isSharp = kGrain * ray.slant * (size + bend) <= kMostBorder * grain;
-    bool isGrain = size + bend <= 4.0 * ray.rounding || (size + bend <= grain && isSharp);
+    bool isGrain = size + bend <= 4.0 * ray.rounding || (ray.isSight && size + bend <= grain);
     // The ray ends where the surface is, or before or behind it.
     if (!passes && isGrain && isHere && !isOwn && abs(tMiddle - ray.last) <= tOff) return kOpen;
     bool isProven = isInside && tMiddle - tOff > ray.first + own && tMiddle + tOff < ray.last;
-    bool isSeeming = isGrain && isHere && !isOwn && tMiddle > ray.first + own && tMiddle < ray.last;
+    bool isSeeming = ray.isSight && isGrain && isHere && !isOwn && tMiddle > ray.first + own && tMiddle < ray.last;
     bool isMet = !passes && isPlain && (isProven || isSeeming);
-    if (!passes && isPlain && isGrain && !isProven && !isOwn && !isSharp) return kOpen;
+    if (!passes && isPlain && isGrain && !isProven && !isOwn && !ray.isSight) return kOpen;
     if (isMet && endsAt(ray, cell, rectangle.xy + h * middle, !isInside)) return kMet;
     if (!passes && !isMet && isGrain && !isPlain) return kOpen;
     // Of a meeting on a border between two rectangles one counts, but for rounding.

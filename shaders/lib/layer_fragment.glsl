@@ -6,8 +6,6 @@
 // between two rectangles may be found by both; who blends the layers takes it once. What no float tells is left to rays.
 #extension GL_GOOGLE_include_directive : require
 #define LUXO_EVALUATIONS 4096
-// What two cells have found is one; what none has would be lost.
-#define LUXO_USUAL_ROUNDING 1.0
 #include "lib/caster.glsl"
 #include "lib/layers.glsl"
 #include "lib/meeting.glsl"
@@ -81,6 +79,7 @@ void findLayers() {
   vec3 along = inObject(vec4(rayInView, 0));
   metresOfDepth = length(along);
   CellRay sight = cellRay(inObject(vec4(place, 1)), along / metresOfDepth);
+  sight.isSight = true;
   float buffered = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, originDepth = view.forward.w;
   opaque = buffered > 0.0 ? layerDepth(buffered, place, rayInView) * metresOfDepth : 1e30;
   nearest_ = layerDepth(1.0, place, rayInView) * metresOfDepth;

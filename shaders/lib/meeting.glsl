@@ -5,6 +5,7 @@ struct Meeting {
   vec2 parameters;  // less originOfU
   vec3 Su, Sv;
   float t, off;     // metres along the ray, and by how much that may be off
+  vec2 unsure;      // of the parameters: what rounding leaves of them
   bool isProven;
 };
 
@@ -32,7 +33,8 @@ Meeting meetingNear(CellRay ray, CasterCell cell, vec2 parameters) {
   meeting.off = ray.rounding * (1.0 + (abs(dot(ray.along, Su)) * length(b) + abs(dot(ray.along, Sv)) * length(a)) * perArea);
   // Where the ray grazes the surface as near as floats tell there may be no point, or two: there the tangents turn by more
   // than they span in all that rounding leaves of the parameters.
-  vec2 h = kAsFar * ray.rounding * perArea * vec2(length(b), length(a));
+  meeting.unsure = ray.rounding * perArea * vec2(length(b), length(a));
+  vec2 h = kAsFar * meeting.unsure;
   float turn = 0.5 * (cell.bend.x * h.x * h.x + cell.bend.z * h.y * h.y) + cell.bend.y * h.x * h.y;
   bool isPlain = 4.0 * turn * (h.x * length(a) + h.y * length(b)) < h.x * h.y * abs(area);
   meeting.isProven = isPlain && dot(f, f) <= ray.rounding * ray.rounding && meeting.off < 1e30;

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much of its light a caster lets through to a point: the product over all points in which the light's ray meets it, each
-// proven to be one (lib/meeting.glsl). One on a border between two cells may be met in both, and counts once.
+// proven to be one, of one cell alone (lib/cell_ray.glsl, lib/meeting.glsl).
 #define LUXO_EVALUATIONS 4096
-// What two cells have met is one; what none has would be lost.
-#define LUXO_USUAL_ROUNDING 1.0
 #include "lib/shadow_test.glsl"
 #ifndef LUXO_TRIANGLES
 #include "lib/meeting.glsl"
 #endif
 #include "lib/cutoff.glsl"
-#include "lib/one_point.glsl"
 
 bool isOpen;
 
@@ -44,12 +41,26 @@ vec3 partThrough(vec2 parameters) {
   return (1.0 - paint.a) * (has(kTintsLight) ? paint.rgb : vec3(1));
 }
 
+// What gets through at a meeting is looked at around it, too, as far as rounding leaves its place: where a pattern jumps there
+// rays tell its side, as its border may fall on what is aslant.
+#ifdef LUXO_PATTERN
+const int kLooks = 5;
+#else
+const int kLooks = 1;
+#endif
+const float kAlike = 1.0 / 255;  // a code of eight bits
+
+vec2 lookAside(int i, vec2 unsure) { return i == 0 ? vec2(0) : unsure * vec2((i & 1) * 2 - 1, (i & 2) - 1); }
+
+void look(int i, vec2 parameters, inout vec3 part) {
+  vec3 here = partThrough(parameters);
+  if (i == 0) part = here;
+  else if (any(greaterThan(abs(here - part), vec3(kAlike)))) isOpen = true;
+}
+
 struct Passage {
-  float t, off;   // metres along the ray, and by how much that may be off
-  bool atBorder;  // a neighbouring cell may have it, too
-  vec2 parameters;
-  vec3 normal;
-  vec3 part;      // how much of the light gets through
+  float t, off;  // metres along the ray, and by how much that may be off
+  vec3 part;     // how much of the light gets through
 };
 
 const int kMostPassages = 24;  // of a ray; more are left to rays
@@ -82,35 +93,29 @@ vec2 onTriangle(vec2 weights) { return weights; }
 
 // Of two triangles with a common edge one has what passes there, or both: in one place, which is open.
 bool endsAt(CellRay ray, CasterCell cell, vec2 weights, bool atBorder) {
-  vec3 part = partThrough(onTriangle(weights));
-  return isLastPassage(Passage(metAt, metOff, false, weights, vec3(0), part));
+  vec3 part;
+  for (int i = 0; i < kLooks; ++i) look(i, onTriangle(weights + lookAside(i, vec2(weightsOff))), part);
+  return isLastPassage(Passage(metAt, metOff, part));
 }
 #else
 bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
   Meeting met = meetingNear(ray, cell, parameters);
   isOpen = !met.isProven;
   if (isOpen) return true;
-  vec3 normal = cross(met.Su, met.Sv);
-  normal *= cell.outward * inversesqrt(max(dot(normal, normal), 1e-37));
-  vec2 inside = parametersInside(cell, met.parameters);
-  vec3 part = partThrough(inside);
-  return isLastPassage(Passage(met.t, met.off, atBorder, inside, normal, part));
+  vec3 part;
+  for (int i = 0; i < kLooks; ++i) look(i, parametersInside(cell, met.parameters + lookAside(i, met.unsure)), part);
+  return isLastPassage(Passage(met.t, met.off, part));
 }
 #endif
 
+// Two in one place are a crease, two sheets that cross, or a surface that covers itself: rays tell.
 vec3 productOfPassages() {
   vec3 product = vec3(1);
-  int last = -1;
   roundsLeft -= passageCount;
   for (int i = 0; i < passageCount; ++i) {
     Passage passage = passages[i];
-    bool isBeside = last >= 0 && passage.t - passages[last].t <= 4.0 * (passage.off + passages[last].off);
-    bool isTwice = isBeside && (passage.atBorder || passages[last].atBorder) &&
-                   isOnePoint(passage.parameters, passage.normal, passages[last].parameters, passages[last].normal);
-    // A crease, two sheets that cross, or a surface that covers itself.
-    if (isBeside && !isTwice) isOpen = true;
-    last = i;
-    if (!isTwice) product *= passage.part;
+    if (i > 0 && passage.t - passages[i - 1].t <= 4.0 * (passage.off + passages[i - 1].off)) isOpen = true;
+    product *= passage.part;
   }
   return product;
 }

@@ -8,7 +8,8 @@
 // be nearer than that, is told from others as in lib/cell_ray.glsl.
 //
 // Where light grazes what a point is on, what rounding leaves of the ray moves the borders of shadows there by as
-// much more as the triangle is aslant: then a ray that is as near to an edge is open (isAsNearAsBordersMove()).
+// much more as that is aslant, which normals that are smoothed do not tell: a ray that is as near to an edge is open, if
+// the point is not on a triangle that is known to be steep (isAsNearAsBordersMove()).
 
 vec3 cornerOf(CellRay ray, uint first) {
   vec3 from = vec3(casterParameterAt(first), casterParameterAt(first + 1), casterParameterAt(first + 2)) - ray.from;
@@ -22,8 +23,8 @@ float spanned(vec3 a, vec3 b) {
   return difference;
 }
 
-// Of the one that endsAt() is told of: metres along the ray, and by how much that may be off.
-float metAt, metOff;
+// Of the one that endsAt() is told of: metres along the ray, and by how much that may be off; and the weights of its corners.
+float metAt, metOff, weightsOff;
 
 // The ray has met, or passed, a triangle so near to an edge that floats do not tell which.
 bool metBesideEdge = false, passedBesideEdge = false;
@@ -31,7 +32,7 @@ float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of 
 float widthBesideEdge = 1e30;  // the least of a pixel, there: where light spreads, narrower than at the point
 
 bool isAsNearAsBordersMove(CellRay ray) {
-  return (metBesideEdge || passedBesideEdge) && ray.rounding * max(ownSlant, ray.slant) > kMostRounding * widthBesideEdge;
+  return (metBesideEdge || passedBesideEdge) && (ownMeetings == 0 || ray.rounding * ownSlant > kMostRounding * widthBesideEdge);
 }
 
 void noteEdge(CellRay ray, float t) { widthBesideEdge = min(widthBesideEdge, (ray.grain.x + ray.grain.y * t) / kGrain); }
@@ -64,6 +65,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
   if (kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
   metAt = t;
   metOff = off;
+  weightsOff = unsure / abs(area);
   if (t - off > ray.first + own && t + off < ray.last) {
     if (!endsAt(ray, cell, vec2(ofB, ofC) / area, false)) return kPassed;
     // Devices draw triangles a little beyond their edges, there behind the one that goes on: what is in the way so near is none.

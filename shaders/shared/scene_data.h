@@ -38,10 +38,6 @@ LUXO_NUMBER kFarCells = 2.0;
 // Pixels: where single precision may be farther off no point is certified.
 LUXO_NUMBER kMostTolerancePx = 7e-4;
 
-// Of a caster's rounding, which is a sum of absolute values: as much of it is counted at the borders of cells. Measured:
-// with 1/4 there is no gap between cells.
-LUXO_NUMBER kUsualRounding = 0.25;
-
 // The numbers of a patch that is searched for by its equation, instead of parameters, in metres. Of a quadric or of a torus:
 LUXO_CONSTANT kQuadricSquares = 0;  // of x, y and z
 LUXO_CONSTANT kQuadricHalfY = 3;
