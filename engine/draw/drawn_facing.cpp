@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "cull/raster_slack.h"
@@ -15,9 +16,9 @@ static_assert(kMovedPx == shared::kMovedPx);
 
 namespace {
 
-/// Whether a polygon may turn over. As corners move by m along x and y twice its area changes by m times the
-/// lengths of its edges along both.
-bool mayTurn(std::span<const Vec3> polygon) {
+/// Twice the area of a polygon, signed; nothing where it may turn over. As corners move by m along x and y
+/// that changes by m times the lengths of its edges along both.
+std::optional<double> areaOf(std::span<const Vec3> polygon) {
   double area = 0, change = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
@@ -25,13 +26,13 @@ bool mayTurn(std::span<const Vec3> polygon) {
     area += a.x * b.y - a.y * b.x;
     change += kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
   }
-  return !(std::abs(area) > change);
+  return std::abs(area) > change ? std::optional(area) : std::nullopt;
 }
 
 }  // namespace
 
 DrawnFacing::DrawnFacing(const View& view, const SnapshotNode& node, const Shell& shell)
-    : shell_(shell), size_(view.size) {
+    : shell_(shell), size_(view.size), mirrored_(glm::determinant(node.worldFromObject.linear) < 0) {
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   // What is moved may be moved over the edge.
   const Vec2 most = 0.5 * Vec2(size_.width, size_.height) - Vec2(kMovedPx);
@@ -48,7 +49,7 @@ DrawnFacing::DrawnFacing(const View& view, const SnapshotNode& node, const Shell
   }
 }
 
-bool DrawnFacing::uncertain(std::uint32_t firstIndex) const {
+Facing DrawnFacing::facing(std::uint32_t firstIndex) const {
   std::array<Vec3, 3> triangle;
   bool shows = true, inFront = true;
   for (std::uint32_t k = 0; k < 3; ++k) {
@@ -57,10 +58,19 @@ bool DrawnFacing::uncertain(std::uint32_t firstIndex) const {
     shows = shows && shows_[corner];
     inFront = inFront && corners_[corner].z > 0;
   }
-  if (inFront && mayTurn(triangle)) return true;
-  if (shows) return false;
-  const std::vector<Vec3> seen = clipped({triangle.begin(), triangle.end()}, size_);
-  return !seen.empty() && mayTurn(seen);
+  std::optional<double> area;
+  if (inFront) {
+    area = areaOf(triangle);
+    if (!area) return Facing::Either;
+  }
+  if (!shows) {
+    const std::vector<Vec3> seen = clipped({triangle.begin(), triangle.end()}, size_);
+    if (seen.empty()) return Facing::Front;  // of nothing
+    area = areaOf(seen);
+    if (!area) return Facing::Either;
+  }
+  // y leads down: counter-clockwise areas are below 0.
+  return (*area < 0) != mirrored_ ? Facing::Front : Facing::Back;
 }
 
 }  // namespace luxo

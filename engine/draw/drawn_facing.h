@@ -15,14 +15,16 @@
 
 namespace luxo {
 
+enum class Facing { Either, Front, Back };
+
 class DrawnFacing {
  public:
   /// The shell is kept by reference. Cost: some 10 ns per vertex.
   DrawnFacing(const View& view, const SnapshotNode& node, const Shell& shell);
 
-  /// Whether the triangle that begins at that index, or what is seen of it, is so narrow that it may be drawn
-  /// with either side in front.
-  [[nodiscard]] bool uncertain(std::uint32_t firstIndex) const;
+  /// Which side of the triangle that begins at that index is drawn in front: certainly so, wherever corners
+  /// move. Either: it, or what is seen of it, is so narrow that it may turn over.
+  [[nodiscard]] Facing facing(std::uint32_t firstIndex) const;
 
   /// Whether triangles may be clipped, as some of them are not in the picture. Devices may then decide which
   /// way triangles face before they move corners to the grid.
@@ -31,6 +33,7 @@ class DrawnFacing {
  private:
   const Shell& shell_;
   PixelSize size_;
+  bool mirrored_;
   std::vector<Vec3> corners_;  // as PixelRows has them; of parallel rays with 1 for the depth
   std::vector<char> shows_;    // in the picture
   bool clips_ = false;

@@ -51,6 +51,12 @@ bool hidesTurned(const DrawBatch& batch) {
   return batch.frontOnly || (batch.flat && !batch.bothSides && !batch.state.equation);
 }
 
+/// Whether a device draws nothing of what faces so.
+bool isCulled(Facing drawn, FaceCulling culling) {
+  return (culling == FaceCulling::Back && drawn == Facing::Back) ||
+         (culling == FaceCulling::Front && drawn == Facing::Front);
+}
+
 /// Whether some of the shell may not be in the picture.
 bool mayClip(const View& view, const SnapshotNode& node, const VisibleNode& v, const Shell& shell) {
   const Vec3 reach(2 * shell.offset * v.stretch);
@@ -188,14 +194,15 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
   using ByPoles = std::array<std::vector<std::uint32_t>, 2>;  // where no edge is a point, and where one is
   ByPoles grazing, turning;
   for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
-    // Whether a ray that goes on through the back comes back to the front, the cone does not prove.
-    const Seen seen = batch.half == Half::Near ? view.seen(shell, i, 1)
-                      : batch.frontOnly        ? Seen::Grazing
-                                               : view.seen(shell, i, -1);
-    const bool turns = facing->uncertain(i);
-    if (seen == Seen::Away && !turns) continue;
-    // By its equation a surface is found where it is grazed as it is elsewhere.
-    const bool isTransversal = seen == Seen::Transversal && !batch.state.equation && !turns;
+    const Facing drawn = facing->facing(i);
+    const bool turns = drawn == Facing::Either;
+    if (isCulled(drawn, batch.culling)) continue;
+    // By its equation a surface is found where it is grazed as it is elsewhere. Whether a ray that goes on
+    // through the back comes back to the front, the cone does not prove.
+    const bool isTransversal =
+        !batch.state.equation && !turns &&
+        (batch.half == Half::Near ? view.transversal(shell, i, 1)
+                                  : !batch.frontOnly && view.transversal(shell, i, -1));
     const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
     std::vector<std::uint32_t>& indices =
         isTransversal

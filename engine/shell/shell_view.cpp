@@ -11,17 +11,15 @@ ShellView::ShellView(const Vec4& eye, bool tellApart) : eye_(eye), tellApart_(te
   for (int i = 0; i < 4; ++i) tellApart_ = tellApart_ && std::isfinite(eye_[i]);
 }
 
-Seen ShellView::seen(const Shell& shell, std::uint32_t firstIndex, double side) const {
+bool ShellView::transversal(const Shell& shell, std::uint32_t firstIndex, double side) const {
   const NormalCone& cone = shell.cones[firstIndex / 3];
-  bool away = tellApart_ && cone.sine <= 1, transversal = away;
   const double steep = std::max(cone.sine, cone.certain);
-  for (std::uint32_t k = 0; k < 3 && (transversal || away); ++k) {
+  bool all = tellApart_ && cone.sine <= 1;
+  for (std::uint32_t k = 0; k < 3 && all; ++k) {
     const Vec3 toEye = Vec3(eye_) - eye_.w * shell.positions[shell.indices[firstIndex + k]];
-    const double height = side * glm::dot(Vec3(cone.axis), toEye), distance = glm::length(toEye);
-    transversal = transversal && height > steep * distance;
-    away = away && height < -cone.sine * distance;
+    all = side * glm::dot(Vec3(cone.axis), toEye) > steep * glm::length(toEye);
   }
-  return away ? Seen::Away : transversal ? Seen::Transversal : Seen::Grazing;
+  return all;
 }
 
 }  // namespace luxo

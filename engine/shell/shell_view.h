@@ -10,17 +10,15 @@
 
 namespace luxo {
 
-enum class Seen { Away, Transversal, Grazing };
-
 class ShellView {
  public:
   /// `eye`: homogeneous, object space; w = 0: the direction toward it, for parallel rays. Unless `tellApart`
-  /// is set everything counts as grazing.
+  /// is set nothing counts as transversal.
   ShellView(const Vec4& eye, bool tellApart);
 
-  /// How the outer (+1) or inner (-1) side of the surface is seen near the triangle that begins at that
-  /// index. Cost: nanoseconds.
-  [[nodiscard]] Seen seen(const Shell& shell, std::uint32_t firstIndex, double side) const;
+  /// Whether the outer (+1) or inner (-1) side of the surface is seen steeply by all rays through the
+  /// triangle that begins at that index. Cost: nanoseconds.
+  [[nodiscard]] bool transversal(const Shell& shell, std::uint32_t firstIndex, double side) const;
 
  private:
   Vec4 eye_;

@@ -62,9 +62,11 @@ TEST(DrawnFacing, IsCertainOfWhatNoMoveOfCornersTurnsOver) {
       const Vec2 a = moved(0), b = moved(1), c = moved(2);
       turns = turns || area(a, b, c) * before <= 0;
     }
-    certain += !facing.uncertain(i);
+    const Facing drawn = facing.facing(i);
+    certain += drawn != Facing::Either;
     turned += turns;
-    EXPECT_TRUE(facing.uncertain(i) || !turns);
+    // The picture's y leads down.
+    EXPECT_TRUE(drawn == Facing::Either || (!turns && drawn == (before < 0 ? Facing::Front : Facing::Back)));
   }
   EXPECT_GT(certain, 1000);
   EXPECT_GT(turned, 500);
@@ -89,9 +91,9 @@ TEST(DrawnFacing, IsCertainOfWhatIsCutAndWide) {
                      {0, -0.3, 1}, {0.0001, -0.3, 1}, {0, 0.3, -1}};
   shell.indices = {0, 1, 2, 0, 1, 3, 4, 5, 6};
   const DrawnFacing facing(snapshot.view, snapshot.nodes[0], shell);
-  EXPECT_FALSE(facing.uncertain(0));
-  EXPECT_FALSE(facing.uncertain(3));
-  EXPECT_TRUE(facing.uncertain(6));
+  EXPECT_EQ(facing.facing(0), Facing::Front);
+  EXPECT_EQ(facing.facing(3), Facing::Front);
+  EXPECT_EQ(facing.facing(6), Facing::Either);
 }
 
 }  // namespace

@@ -58,8 +58,8 @@ TEST_P(ShellViewOf, RaysThroughTransversalTrianglesMeetTheSideSearchedFor) {
       for (const double side : {1.0, -1.0}) {
         const std::uint32_t first = side > 0 ? part.firstIndex : part.wallIndex();
         for (std::uint32_t i = first; i < first + part.frontCount; i += 3) {
-          EXPECT_EQ(inside.seen(shell, i, side), Seen::Grazing);
-          if (seen.seen(shell, i, side) != Seen::Transversal) continue;
+          EXPECT_FALSE(inside.transversal(shell, i, side));
+          if (!seen.transversal(shell, i, side)) continue;
           ++transversalTriangles;
           expectFaces(surface, shell, i, side, eye);
         }
