@@ -15,8 +15,6 @@ namespace {
 
 /// Of the distances involved: what a dozen operations of single precision round away.
 constexpr double kRounding = 0x1p-21;
-/// What a formula loses is measured at some hundred places, and a bound has to hold everywhere.
-constexpr double kTimesMeasured = 4;
 /// Of parameters: what single precision leaves of a rectangle's middle, and of those of its halves. Without
 /// it there were gaps between cells at many turns of a coil.
 constexpr double kParameterRounding = 0x1p-22;
@@ -124,7 +122,8 @@ bool CasterList::losesMore(const SnapshotNode& node) {
 
 double CasterList::roundingOfPlaces(const SnapshotNode& node) {
   const Transform& place = node.worldFromObject;
-  const Vec3 farthest = glm::max(glm::abs(node.boundsObject.min), glm::abs(node.boundsObject.max));
+  const Box bounds = isFinite(node.boundsObject) ? node.boundsObject : node.surface.framing(node.parameters);
+  const Vec3 farthest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
   const double formula = geometry_.casters.rounding(node.surface, node.parameters) * kTimesMeasured;
   return largestStretch(place.linear) * std::max(kRounding * glm::length(farthest), formula) +
          kRounding * glm::distance(place.translation, list_.origin);

@@ -17,6 +17,9 @@
 
 namespace luxo {
 
+/// What a formula loses is measured at some hundred places, and a bound has to hold everywhere.
+inline constexpr double kTimesMeasured = 4;
+
 /// Of each buffer of DrawList::casters: what every device binds at once (maxStorageBufferRange).
 inline constexpr std::size_t kMaxCasterBytes = std::size_t{1} << 27;
 

@@ -88,7 +88,7 @@ std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const Snapsho
                           off.rounding * lengths);
   caster.roundingPerMetre = Vec3f(kEquationRounding * lengths);
   caster.offPerPixel = static_cast<float>(off.px / (snapshot.view.pixelsPerUnit * kEquationRounding));
-  if (off.rounding > 0) caster.flags |= shared::kRoundedPlaces;
+  if (off.rounding > 0) caster.flags |= shared::kRoundedPoints;
   if (equation.isRadial()) {
     caster.flags |= shared::kRadialCaster;
     if (caster.lowest.x <= 0) caster.lowest.x = static_cast<float>(-kNowhere);  // the axis is no edge

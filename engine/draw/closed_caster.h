@@ -18,10 +18,10 @@ struct ClosedCaster {
   shared::ClosedCaster data{};
 };
 
-/// How far points that shadows fall on may be off their surfaces, where what is drawn is only near to these.
+/// How far points that shadows fall on may be off their surfaces.
 struct OffSurfaces {
-  double px = 0;        ///< of meshes
-  double rounding = 0;  ///< of points that are found by their parameters: what floats leave; metres
+  double px = 0;        ///< of what is drawn near to them
+  double rounding = 0;  ///< what formulas lose in single precision; metres
 };
 
 /// `light`: world; w = 1: where it is; w = 0: the direction toward it. `origin`: what positions are relative

@@ -49,7 +49,7 @@ DrawnFacing::DrawnFacing(const View& view, const SnapshotNode& node, const Shell
   }
 }
 
-Facing DrawnFacing::facing(std::uint32_t firstIndex) const {
+DrawnFacing::Side DrawnFacing::side(std::uint32_t firstIndex) const {
   std::array<Vec3, 3> triangle;
   bool shows = true, inFront = true;
   for (std::uint32_t k = 0; k < 3; ++k) {
@@ -61,16 +61,16 @@ Facing DrawnFacing::facing(std::uint32_t firstIndex) const {
   std::optional<double> area;
   if (inFront) {
     area = areaOf(triangle);
-    if (!area) return Facing::Either;
+    if (!area) return Side::Either;
   }
   if (!shows) {
     const std::vector<Vec3> seen = clipped({triangle.begin(), triangle.end()}, size_);
-    if (seen.empty()) return Facing::Front;  // of nothing
+    if (seen.empty()) return Side::Front;  // of nothing
     area = areaOf(seen);
-    if (!area) return Facing::Either;
+    if (!area) return Side::Either;
   }
   // y leads down: counter-clockwise areas are below 0.
-  return (*area < 0) != mirrored_ ? Facing::Front : Facing::Back;
+  return (*area < 0) != mirrored_ ? Side::Front : Side::Back;
 }
 
 }  // namespace luxo

@@ -15,16 +15,17 @@
 
 namespace luxo {
 
-enum class Facing { Either, Front, Back };
-
 class DrawnFacing {
  public:
+  enum class Side { Either, Front, Back };
+
   /// The shell is kept by reference. Cost: some 10 ns per vertex.
   DrawnFacing(const View& view, const SnapshotNode& node, const Shell& shell);
 
   /// Which side of the triangle that begins at that index is drawn in front: certainly so, wherever corners
-  /// move. Either: it, or what is seen of it, is so narrow that it may turn over.
-  [[nodiscard]] Facing facing(std::uint32_t firstIndex) const;
+  /// move. Either: it, or what is seen of it, is so narrow that it may turn over. (What the near plane cuts
+  /// may be narrower: the eye is inside the shell then, and rays look there.)
+  [[nodiscard]] Side side(std::uint32_t firstIndex) const;
 
   /// Whether triangles may be clipped, as some of them are not in the picture. Devices may then decide which
   /// way triangles face before they move corners to the grid.

@@ -22,8 +22,8 @@ static_assert(shared::kFarCells + 1 <= kSearchedCells);
 static_assert(4 * shared::kVaryings <= gpu::kVaryingComponents);
 
 /// As much as float may round away of a point's place, pixels. The residual accepted is as large, and where
-/// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3. Of
-/// these at least half is the formula's own; what that loses more than this, as is measured, has to fit, too.
+/// the point is lies up to two thirds as much beside where the residual says: points are right to 1e-3. Half
+/// of these or more is the formula's own: what that loses, as is measured, and the rest have to fit, too.
 constexpr double kMaxRoundingPx = 6e-4, kPlacePart = 1.0 / 3;
 static_assert(static_cast<float>(kMaxRoundingPx + kExactTolerancePx) <= shared::kMostTolerancePx);
 /// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
@@ -89,8 +89,8 @@ Rounding roundingPx(const View& view, const SnapshotNode& node, const Shell& she
 /// The formula's own operations may move a point farther than by what has the object's size, and no residual
 /// tells, as it is computed by the same operations. As far on the screen, at most; perspective: over depth.
 double formulaPx(const View& view, const SnapshotNode& node, const Shell& shell) {
-  return shell.formulaRounding * largestStretch(node.worldFromObject.linear) * view.pixelsPerUnit *
-         slantOf(view);
+  const double longest = view.perspective() ? std::hypot(1.0, glm::length(view.halfExtent)) : 1;
+  return shell.formulaRounding * largestStretch(node.worldFromObject.linear) * view.pixelsPerUnit * longest;
 }
 
 /// A ray that is 70 degrees off the normal meets what is moved along that three times as far off.
@@ -182,29 +182,28 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
   PixelRows ofShell = pixelRows(view, world);
   for (Vec4* row : {&ofShell.x, &ofShell.y, &ofShell.depth}) row->w += glm::dot(Vec3(*row), shell.origin);
   const Vec3 middle = number == GlslNumber::Double ? inObject(origin, world) : Vec3(0);
-  return {
-      .x = Vec4f(rows.x),
-      .y = Vec4f(rows.y),
-      .depth = Vec4f(rows.depth),
-      .xLow = restOf(rows.x),
-      .yLow = restOf(rows.y),
-      .depthLow = restOf(rows.depth),
-      .clipDepth = view.perspective() ? Vec2f(view.near, rounding.near) : Vec2f(view.near, -1 / range),
-      .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
-      .middle = Vec3f(middle),
-      .middleLow = Vec3f(middle - Vec3(Vec3f(middle))),
-      .translation = Vec3f(transformPoint(world, middle) - origin),
-      .facing = visible.mirrored ? 1.0f : -1.0f,
-      .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
-      .firstPatch = 0,
-      .origin = Vec3f(shell.origin),
-      .thickness = static_cast<float>(3 * shell.offset * visible.stretch * visible.pixelsPerUnit),
-      .shellX = Vec4f(ofShell.x),
-      .shellY = Vec4f(ofShell.y),
-      .shellDepth = Vec4f(ofShell.depth),
-      .shellXLow = restOf(ofShell.x),
-      .shellYLow = restOf(ofShell.y),
-      .shellDepthLow = restOf(ofShell.depth)};
+  return {.x = Vec4f(rows.x),
+          .y = Vec4f(rows.y),
+          .depth = Vec4f(rows.depth),
+          .xLow = restOf(rows.x),
+          .yLow = restOf(rows.y),
+          .depthLow = restOf(rows.depth),
+          .clipDepth = view.perspective() ? Vec2f(view.near, rounding.near) : Vec2f(view.near, -1 / range),
+          .half_ = Vec2f(0.5 * view.size.width, 0.5 * view.size.height),
+          .middle = Vec3f(middle),
+          .middleLow = Vec3f(middle - Vec3(Vec3f(middle))),
+          .translation = Vec3f(transformPoint(world, middle) - origin),
+          .facing = visible.mirrored ? 1.0f : -1.0f,
+          .tolerance = static_cast<float>(std::max(finest, rounding.everywhere)),
+          .firstPatch = 0,
+          .origin = Vec3f(shell.origin),
+          .thickness = static_cast<float>(3 * shell.offset * visible.stretch * visible.pixelsPerUnit),
+          .shellX = Vec4f(ofShell.x),
+          .shellY = Vec4f(ofShell.y),
+          .shellDepth = Vec4f(ofShell.depth),
+          .shellXLow = restOf(ofShell.x),
+          .shellYLow = restOf(ofShell.y),
+          .shellDepthLow = restOf(ofShell.depth)};
 }
 
 }  // namespace
@@ -214,9 +213,11 @@ bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& 
                  rounding = singlePrecisionPx(view, node, shell);
   const double formula = formulaPx(view, node, shell);
   const auto tooMuch = [&](double depth) {
-    const double accepted = place.everywhere + place.near / depth,
-                 beside = kPlacePart * accepted + formula / (view.perspective() ? depth : 1);
-    return accepted > kMaxRoundingPx || accepted + beside > kPointPx;
+    const double rounded = place.everywhere + place.near / depth,
+                 accepted = std::max(kExactTolerancePx, place.everywhere) + place.near / depth,
+                 lost = formula / (view.perspective() ? depth : 1);
+    // Steps of a search whose residuals are what the formula loses end by chance.
+    return rounded > kMaxRoundingPx || lost > accepted || (1 + kPlacePart) * accepted + lost > kPointPx;
   };
   if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
   const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };

@@ -70,8 +70,10 @@ class ShadowLister {
     gated_ = std::ranges::none_of(snapshot.materials, &Material::lightsBelowHorizon);
     for (const auto* batches : {&list.opaque, &list.layers.meshes})
       for (const DrawBatch& batch : *batches) offPx_ = std::max(offPx_, offPxOf(batch));
-    for (const PlacedNode& placed : list.placed) addPlaces(placed.node);
-    for (const std::uint32_t placed : list.layers.placed) addPlaces(placed);
+    const auto add = [&](double rounding) { pointRounding_ = std::max(pointRounding_, rounding); };
+    for (const PlacedNode& placed : list.placed) add(casters_.roundingOfPlaces(snapshot.nodes[placed.node]));
+    for (const std::uint32_t node : list.layers.placed) add(casters_.roundingOfPlaces(snapshot.nodes[node]));
+    for (const DrawBatch& batch : list.opaque) add(roundingOf(batch));
   }
 
   void list(LightGroup& group, std::uint32_t bit, std::uint32_t light) {
@@ -104,8 +106,15 @@ class ShadowLister {
     return 0;
   }
 
-  void addPlaces(std::uint32_t node) {
-    placeRounding_ = std::max(placeRounding_, casters_.roundingOfPlaces(snapshot_.nodes[node]));
+  /// What formulas lose in single precision of the points that searches find, metres.
+  [[nodiscard]] double roundingOf(const DrawBatch& batch) const {
+    if (!batch.shell || batch.state.surface->number != GlslNumber::Float) return 0;
+    double stretch = 0;
+    for (std::uint32_t i = 0; i < batch.instanceCount; ++i) {
+      const std::uint32_t node = list_.instanceNodes[batch.firstInstance + i];
+      stretch = std::max(stretch, largestStretch(snapshot_.nodes[node].worldFromObject.linear));
+    }
+    return kTimesMeasured * batch.shell->formulaRounding * stretch;
   }
 
   [[nodiscard]] const Material& materialOf(const SnapshotNode& node) const {
@@ -259,7 +268,7 @@ class ShadowLister {
                  const PixelRect& area) {
     if (materialOf(node).letsLightThrough()) return false;
     const auto closed = closedCaster(snapshot_, node, light.positionWorld, list_.origin,
-                                     {offPx_, placeRounding_}, geometry_.casters);
+                                     {offPx_, pointRounding_}, geometry_.casters);
     if (!closed) return false;
     Closed& caster = closed_.emplace_back(Closed{closed->data, closed->kind, area});
     caster.data.light_ = bit;
@@ -323,7 +332,7 @@ class ShadowLister {
     caster.flags |= flagsOf(node, entry->cells->convex);
     caster.offPixels = static_cast<float>(offPx_);
     caster.rounding +=
-        static_cast<float>(placeRounding_ * largestStretch(glm::inverse(node.worldFromObject.linear)));
+        static_cast<float>(pointRounding_ * largestStretch(glm::inverse(node.worldFromObject.linear)));
     caster.material = numberOf(node);
     if (entry->cells->flatNormal) setPlane(light, node, *entry->cells, caster);
     CasterDraw draw{.state = {.surface = found.code}, .area = area};
@@ -362,7 +371,7 @@ class ShadowLister {
     const double side = glm::dot(normal, toLight);
     if (!(std::abs(side) > kInPlane * glm::length(toLight))) return;
     const Vec3 towardLight = side > 0 ? normal : -normal;
-    caster.plane = Vec4f(Vec4(towardLight, -glm::dot(towardLight, at - list_.origin)));
+    caster.plane = Vec4f(Vec4(towardLight, -glm::dot(towardLight, at - list_.origin) - pointRounding_));
     caster.flags |= shared::kFlatCaster;
   }
 
@@ -465,7 +474,7 @@ class ShadowLister {
   Box receivers_;  ///< of these
   bool gated_ = true;
   double offPx_ = kExactTolerancePx;
-  double placeRounding_ = 0;  ///< metres
+  double pointRounding_ = 0;  ///< how far from their surfaces points are that light falls on; metres
 };
 
 }  // namespace

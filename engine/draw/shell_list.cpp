@@ -52,9 +52,9 @@ bool hidesTurned(const DrawBatch& batch) {
 }
 
 /// Whether a device draws nothing of what faces so.
-bool isCulled(Facing drawn, FaceCulling culling) {
-  return (culling == FaceCulling::Back && drawn == Facing::Back) ||
-         (culling == FaceCulling::Front && drawn == Facing::Front);
+bool isCulled(DrawnFacing::Side drawn, FaceCulling culling) {
+  return (culling == FaceCulling::Back && drawn == DrawnFacing::Side::Back) ||
+         (culling == FaceCulling::Front && drawn == DrawnFacing::Side::Front);
 }
 
 /// Whether some of the shell may not be in the picture.
@@ -194,8 +194,8 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
   using ByPoles = std::array<std::vector<std::uint32_t>, 2>;  // where no edge is a point, and where one is
   ByPoles grazing, turning;
   for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
-    const Facing drawn = facing->facing(i);
-    const bool turns = drawn == Facing::Either;
+    const DrawnFacing::Side drawn = facing->side(i);
+    const bool turns = drawn == DrawnFacing::Side::Either;
     if (isCulled(drawn, batch.culling)) continue;
     // By its equation a surface is found where it is grazed as it is elsewhere. Whether a ray that goes on
     // through the back comes back to the front, the cone does not prove.

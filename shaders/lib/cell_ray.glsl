@@ -42,6 +42,7 @@ struct CellRay {
   float first, last;      // metres from `from`: what is nearer or farther is not met
   float rounding, off;    // metres: how far floats leave the ray, and the point its surface
   vec2 grain;             // metres: at `from`; what it grows by in a metre
+  float aslant;           // how many times as much what is off at `from` may be off in the picture
   bool isSight;           // and no light
 };
 
@@ -49,10 +50,10 @@ struct CellRay {
 CellRay cellRay(vec3 from, vec3 along) {
   float s = along.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + along.z), b = along.x * along.y * a;
   return CellRay(from, along, vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x),
-                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), false);
+                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), 1.0, false);
 }
 
-// Told of every meeting, with its parameters, less originOfU; `atBorder`: a neighbouring rectangle may have it, too. Whether
+// Told of every meeting, with its parameters, less originOfU; `atBorder`, of sight: a neighbouring rectangle may have it, too. Whether
 // the others matter no more.
 bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder);
 
@@ -118,7 +119,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
     bool isHere = max(beyond.x, beyond.y) <= 1.0;
     float grain = ray.grain.x + ray.grain.y * (ray.grain.y > 0.0 ? t - reach : t + reach);
     // Where floats are as coarse as that borders would be off.
-    if (!passes && kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+    if (!passes && kGrain * ray.rounding * ray.aslant > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
     bool isGrain = size + bend <= 4.0 * ray.rounding || (ray.isSight && size + bend <= grain);
     // The ray ends where the surface is, or before or behind it.
     if (!passes && isGrain && isHere && !isOwn && abs(tMiddle - ray.last) <= tOff) return kOpen;

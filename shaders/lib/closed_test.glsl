@@ -40,7 +40,7 @@ int closedShadowAt(ClosedCaster caster, vec3 position, float cosine, float lit, 
   ray.e = caster.rounding + caster.roundingPerMetre * length(position);
   ray.eOfWay = 2.0 * caster.light.w * ray.e + kUlps * abs(caster.light.xyz);
   ray.off = isOwn ? caster.roundingPerMetre * (caster.offPerPixel * width) : vec3(0);
-  if (isOwn && (caster.flags & kRoundedPlaces) != 0) ray.off += ray.e;
+  if (isOwn && (caster.flags & kRoundedPoints) != 0) ray.off += ray.e;
   ray.isOwn = isOwn;
   return meets(caster, ray);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where exactly a ray meets a cell, from as near as a grain of a pixel; and whether that is proven to be one point.
+// Where exactly a ray meets a cell, from as near as a grain of a pixel, or, of light, in a rectangle that has one meeting; and
+// whether that is proven to be one point.
 
 struct Meeting {
   vec2 parameters;  // less originOfU
@@ -10,7 +11,7 @@ struct Meeting {
 };
 
 const float kAsFar = 8.0;
-const int kSteps = 4;  // Newton's: from a grain of a pixel two are enough
+const int kSteps = 4;  // Newton's: from a grain of a pixel two are enough; what these do not find is open
 
 Meeting meetingNear(CellRay ray, CasterCell cell, vec2 parameters) {
   Meeting meeting;
@@ -33,8 +34,8 @@ Meeting meetingNear(CellRay ray, CasterCell cell, vec2 parameters) {
   meeting.off = ray.rounding * (1.0 + (abs(dot(ray.along, Su)) * length(b) + abs(dot(ray.along, Sv)) * length(a)) * perArea);
   // Where the ray grazes the surface as near as floats tell there may be no point, or two: there the tangents turn by more
   // than they span in all that rounding leaves of the parameters.
-  meeting.unsure = ray.rounding * perArea * vec2(length(b), length(a));
-  vec2 h = kAsFar * meeting.unsure;
+  meeting.unsure = (ray.rounding + length(f)) * perArea * vec2(length(b), length(a));
+  vec2 h = kAsFar * ray.rounding * perArea * vec2(length(b), length(a));
   float turn = 0.5 * (cell.bend.x * h.x * h.x + cell.bend.z * h.y * h.y) + cell.bend.y * h.x * h.y;
   bool isPlain = 4.0 * turn * (h.x * length(a) + h.y * length(b)) < h.x * h.y * abs(area);
   meeting.isProven = isPlain && dot(f, f) <= ray.rounding * ray.rounding && meeting.off < 1e30;

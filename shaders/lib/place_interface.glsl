@@ -18,18 +18,16 @@ layout(location = 6) flat LUXO_VARYING vec4 varyingMiddle;    // x, y; whether p
 const float kLeastCosine = 1e-4;
 
 #ifndef LUXO_VERTEX
-// How many times as long as its depth the pixel's ray is.
-float lengthOfSight() {
+// The pixel's ray, to a depth of 1.
+vec3 sightOfPixel() {
   vec2 pixel = gl_FragCoord.xy - varyingMiddle.xy;
-  return length(varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2]);
+  return varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
 }
 
 // Where the pixel's ray is at a depth beyond that of what positions are relative to.
 vec3 placeAtDepth(float depth) {
   vec2 pixel = gl_FragCoord.xy - varyingMiddle.xy;
-  vec3 place = varyingPlace[0] + pixel.x * varyingPlace[1] + pixel.y * varyingPlace[2],
-       sight = varyingRay[0] + pixel.x * varyingRay[1] + pixel.y * varyingRay[2];
-  return place + depth * sight;
+  return varyingPlace[0] + pixel.x * varyingPlace[1] + pixel.y * varyingPlace[2] + depth * sightOfPixel();
 }
 #endif
 #endif

@@ -37,9 +37,9 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   ray.last = varyingLightObject.w != 0.0 ? distance_ : 1e30;
   ray.rounding = rounding;
   ray.off = rounding + varyingOff.x * width;
-  // What is off at the caster is off by more behind it, as the light spreads, and in the picture where sight is aslant.
-  float across = width / lengthOfSight();
-  ray.grain = kGrain * vec2(across, has(kParallelLight) ? 0.0 : -across / max(distance_, 1e-37));
+  // What is off at the caster is off by more behind it, as the light spreads.
+  ray.grain = kGrain * vec2(width, has(kParallelLight) ? 0.0 : -width / max(distance_, 1e-37));
+  ray.aslant = length(sightOfPixel());
   evaluationsLeft = kMaxEvaluations;
   ownMeetings = besideMeetings = 0;
   mayTurnBack = false;

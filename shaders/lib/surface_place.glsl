@@ -19,10 +19,10 @@ SurfacePlace surfacePlace(vec2 parameters, vec3 drawn, vec3 drawnNormal) {
   vec3 place = drawn, normal = vec3(0);
   for (uint i = 0; i < varyingNode.x; ++i) {
     CasterCell patch_ = casterCells[varyingFirst.y + i];
-    vec2 from = parameters - vec2(patch_.originOfU, 0) - patch_.middle;
-    if (any(greaterThan(abs(from), (1.0 + kSlack) * patch_.half_))) continue;
+    vec2 from = parameters - vec2(patch_.originOfU, 0);
+    if (any(greaterThan(abs(from - patch_.middle), (1.0 + kSlack) * patch_.half_))) continue;
     holdPatch(patch_.patch_);
-    vec2 inside = patch_.middle + clamp(from, -patch_.half_, patch_.half_);
+    vec2 inside = clamp(from, patch_.middle - patch_.half_, patch_.middle + patch_.half_);
     vec3 S, Su, Sv;
     surfaceAt(inside.x, inside.y, S, Su, Sv);
     vec3 position = linear * S + varyingRelative[3];

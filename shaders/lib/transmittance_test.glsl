@@ -48,7 +48,11 @@ const int kLooks = 5;
 #else
 const int kLooks = 1;
 #endif
-const float kAlike = 1.0 / 255;  // a code of eight bits
+#ifdef LUXO_TEXTURED
+const float kAlike = 1.0 / 255;  // devices filter with eight bits
+#else
+const float kAlike = 4e-4;  // kTransmittanceRounding in engine/reference/audit.cpp
+#endif
 
 vec2 lookAside(int i, vec2 unsure) { return i == 0 ? vec2(0) : unsure * vec2((i & 1) * 2 - 1, (i & 2) - 1); }
 
@@ -93,7 +97,8 @@ vec2 onTriangle(vec2 weights) { return weights; }
 
 // Of two triangles with a common edge one has what passes there, or both: in one place, which is open.
 bool endsAt(CellRay ray, CasterCell cell, vec2 weights, bool atBorder) {
-  vec3 part;
+  vec3 part = vec3(1);
+  roundsLeft -= kLooks;
   for (int i = 0; i < kLooks; ++i) look(i, onTriangle(weights + lookAside(i, vec2(weightsOff))), part);
   return isLastPassage(Passage(metAt, metOff, part));
 }
@@ -102,7 +107,8 @@ bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder) {
   Meeting met = meetingNear(ray, cell, parameters);
   isOpen = !met.isProven;
   if (isOpen) return true;
-  vec3 part;
+  vec3 part = vec3(1);
+  roundsLeft -= kLooks;
   for (int i = 0; i < kLooks; ++i) look(i, parametersInside(cell, met.parameters + lookAside(i, met.unsure)), part);
   return isLastPassage(Passage(met.t, met.off, part));
 }

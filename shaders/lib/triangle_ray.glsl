@@ -32,7 +32,7 @@ float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of 
 float widthBesideEdge = 1e30;  // the least of a pixel, there: where light spreads, narrower than at the point
 
 bool isAsNearAsBordersMove(CellRay ray) {
-  return (metBesideEdge || passedBesideEdge) && (ownMeetings == 0 || ray.rounding * ownSlant > kMostRounding * widthBesideEdge);
+  return (metBesideEdge || passedBesideEdge) && (ownMeetings == 0 || ray.rounding * ownSlant * ray.aslant > kMostRounding * widthBesideEdge);
 }
 
 void noteEdge(CellRay ray, float t) { widthBesideEdge = min(widthBesideEdge, (ray.grain.x + ray.grain.y * t) / kGrain); }
@@ -62,17 +62,18 @@ int meetsCell(CellRay ray, CasterCell cell) {
     return kPassed;
   }
   // Where floats are as coarse as that borders would be off.
-  if (kGrain * ray.rounding > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+  if (kGrain * ray.rounding * ray.aslant > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
   metAt = t;
   metOff = off;
   weightsOff = unsure / abs(area);
   if (t - off > ray.first + own && t + off < ray.last) {
-    if (!endsAt(ray, cell, vec2(ofB, ofC) / area, false)) return kPassed;
-    // Devices draw triangles a little beyond their edges, there behind the one that goes on: what is in the way so near is none.
-    if (t - off <= kMovedPx / kGrain * ray.grain.x * aslant) return kOpen;
+    bool isMet = endsAt(ray, cell, vec2(ofB, ofC) / area, false);
     // Whether that matters the triangle that the point is on tells.
     metBesideEdge = metBesideEdge || isBeside;
     if (isBeside) noteEdge(ray, t);
+    if (!isMet) return kPassed;
+    // Devices draw triangles a little beyond their edges, there behind the one that goes on: what is in the way so near is none.
+    if (t - off <= kMovedPx / kGrain * ray.grain.x * aslant) return kOpen;
     return isBeside ? kPassed : kMet;
   }
   if (abs(t) + off > 2.0 * own) return kOpen;  // beside the light

@@ -308,7 +308,7 @@ LUXO_CONSTANT kShowsFront = 32;   // what is seen through: only the outer side i
 LUXO_CONSTANT kTurnsNormal = 64;  // and its normal turns toward the viewer
 LUXO_CONSTANT kTintsLight = 128;  // what it lets through has its diffuse colour
 LUXO_CONSTANT kRadialCaster = 256;  // of an equation: what it limits is the distance from the axis, not x
-LUXO_CONSTANT kRoundedPlaces = 512;  // of an equation: points that floats have moved off it may be its own
+LUXO_CONSTANT kRoundedPoints = 512;  // of an equation: points that floats have moved off it may be its own
 
 // What may keep a light from what is seen: a node, or those of its patches that share their code, as the light sees them
 // (engine/shadow/light_grid.h).

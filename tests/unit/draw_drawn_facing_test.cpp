@@ -9,16 +9,21 @@
 #include "cull/raster_slack.h"
 #include "draw/drawn_facing.h"
 #include "draw/exact_data.h"
+#include "math/transform.h"
 #include "scene/scene.h"
 #include "surface/library.h"
 
 namespace luxo {
 namespace {
 
-Snapshot lookingAt(const Vec3& eye) {
+using Side = DrawnFacing::Side;
+
+Snapshot lookingAt(const Vec3& eye, const Node& node = {}, Projection projection = Projection::Perspective) {
   Scene scene;
-  scene.add(Node{.surface = sphere(1)});
-  scene.add(Camera{.eye = eye});
+  Node ball = node;
+  ball.surface = sphere(1);
+  scene.add(ball);
+  scene.add(Camera{.eye = eye, .projection = projection});
   return takeSnapshot(scene, 0, {64, 48});
 }
 
@@ -62,11 +67,11 @@ TEST(DrawnFacing, IsCertainOfWhatNoMoveOfCornersTurnsOver) {
       const Vec2 a = moved(0), b = moved(1), c = moved(2);
       turns = turns || area(a, b, c) * before <= 0;
     }
-    const Facing drawn = facing.facing(i);
-    certain += drawn != Facing::Either;
+    const Side drawn = facing.side(i);
+    certain += drawn != Side::Either;
     turned += turns;
     // The picture's y leads down.
-    EXPECT_TRUE(drawn == Facing::Either || (!turns && drawn == (before < 0 ? Facing::Front : Facing::Back)));
+    EXPECT_TRUE(drawn == Side::Either || (!turns && drawn == (before < 0 ? Side::Front : Side::Back)));
   }
   EXPECT_GT(certain, 1000);
   EXPECT_GT(turned, 500);
@@ -89,11 +94,35 @@ TEST(DrawnFacing, IsCertainOfWhatIsCutAndWide) {
   // Wide; reaching past the eye, of which a wide or a narrow part is seen.
   shell.positions = {{-1, -1, -1}, {1, -1, -1},       {0, 1, -1},  {0, 1, 1},
                      {0, -0.3, 1}, {0.0001, -0.3, 1}, {0, 0.3, -1}};
-  shell.indices = {0, 1, 2, 0, 1, 3, 4, 5, 6};
+  shell.indices = {0, 1, 2, 0, 1, 3, 1, 0, 3, 4, 5, 6};
   const DrawnFacing facing(snapshot.view, snapshot.nodes[0], shell);
-  EXPECT_EQ(facing.facing(0), Facing::Front);
-  EXPECT_EQ(facing.facing(3), Facing::Front);
-  EXPECT_EQ(facing.facing(6), Facing::Either);
+  EXPECT_EQ(facing.side(0), Side::Front);
+  EXPECT_EQ(facing.side(3), Side::Front);
+  EXPECT_EQ(facing.side(6), Side::Back);
+  EXPECT_EQ(facing.side(9), Side::Either);
+}
+
+/// Of a ball's shell the top that leads outward faces the eye where it is in front, mirrored or not.
+TEST(DrawnFacing, ShowsTheFrontOfWhatFacesTheEye) {
+  for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
+    for (const double mirror : {1.0, -1.0}) {
+      const Vec3 eye(0.5, 0.4, 6);
+      const Snapshot snapshot = lookingAt(eye, {.scale = Vec3(mirror, 1, 1)}, projection);
+      const Surface& ball = snapshot.nodes[0].surface;
+      const Shell shell = *makeShell(ball, {}, CurvatureMap(ball, {}), {.tolerance = 0.01});
+      const DrawnFacing facing(snapshot.view, snapshot.nodes[0], shell);
+      const Shell::Part& part = shell.parts.at(0);
+      int fronts = 0, backs = 0;
+      for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.frontCount; i += 3) {
+        const Vec3 at = transformPoint(snapshot.nodes[0].worldFromObject, shell.positions[shell.indices[i]]);
+        const double facesEye = glm::dot(glm::normalize(at), glm::normalize(eye));
+        if (std::abs(facesEye) < 0.5) continue;  // far off the outline
+        EXPECT_EQ(facing.side(i), facesEye > 0 ? Side::Front : Side::Back);
+        ++(facesEye > 0 ? fronts : backs);
+      }
+      EXPECT_GT(fronts, 20);
+      EXPECT_GT(backs, 20);
+    }
 }
 
 }  // namespace
