@@ -177,6 +177,22 @@ OpenedScene openModel(const std::string& file, const Opening& opening, const Fil
   return {modelScene(model), std::nullopt, model->duration, model->lit()};
 }
 
+/// A folder stands for the one model in it.
+std::string modelIn(const std::string& scene) {
+  std::error_code failure;
+  if (isBuiltin(scene) || !std::filesystem::is_directory(scene, failure)) return scene;
+  Names models;
+  for (std::filesystem::directory_iterator file(scene, failure), end; !failure && file != end;
+       file.increment(failure))
+    if (namesModel(file->path().string())) models.push_back(file->path().string());
+  if (models.size() > 1) {
+    std::ranges::sort(models);
+    throw Error(ErrorKind::Scene, fmt::format("the folder '{}' has {} models", scene, models.size()),
+                fmt::format("name one of them: {}", listed(models)));
+  }
+  return models.empty() ? scene : models.front();
+}
+
 }  // namespace
 
 std::vector<BuiltinScene> builtinScenes() {
@@ -190,7 +206,8 @@ std::vector<BuiltinScene> builtinScenes() {
   return scenes;
 }
 
-OpenedScene openDescribedScene(const std::string& scene, const Opening& opening) {
+OpenedScene openDescribedScene(const std::string& name, const Opening& opening) {
+  const std::string scene = modelIn(name);
   const bool isFile = !isBuiltin(scene);
   if (isFile && namesMaterialShader(scene)) return {openShader(scene, {}, opening).scene, std::nullopt};
   if (isFile && isShader(scene))

@@ -277,7 +277,7 @@ class Run {
                             stagesOf(frame.statistics.ms)));
     if (frame.approximateShadows > 0)
       printNote(fmt::format(
-          "{} not exact, nor is it certified: luxo verify says what is wrong with it",
+          "{} not exact, nor certified: luxo verify says what is wrong",
           frame.approximateShadows == 1 ? "the shadow of a light is" : "the shadows of some lights are"));
     if (frame.cutNumbers > 0)
       printNote(

@@ -111,6 +111,14 @@ GltfFile::GltfFile(const ModelSource& source, std::string_view bytes) : source_(
     refuseModel(source.name(), fmt::format("it needs version '{}' of glTF, which is not supported; 2.0 is",
                                            printable(needed.substr(0, 20))));
 
+  const auto readFile = [&](const GltfValue& uri, const std::string& address) {
+    const std::filesystem::path file = source.besides(decodedName(address), source.name(), 0);
+    try {
+      return source.from().read(file);
+    } catch (const Error& error) {
+      uri.refuse(error.what());
+    }
+  };
   allowance_ = bytes.size();
   const GltfValue buffers = list("buffers");
   owned_.reserve(buffers.size());
@@ -119,9 +127,8 @@ GltfFile::GltfFile(const ModelSource& source, std::string_view bytes) : source_(
     std::string_view buffer = binary_;
     if (uri.given()) {
       const std::string address = uri.text();
-      owned_.push_back(isData(address)
-                           ? std::make_shared<const std::vector<std::byte>>(decodedData(uri))
-                           : source.from().read(source.besides(decodedName(address), source.name(), 0)));
+      owned_.push_back(isData(address) ? std::make_shared<const std::vector<std::byte>>(decodedData(uri))
+                                       : readFile(uri, address));
       buffer = {reinterpret_cast<const char*>(owned_.back()->data()), owned_.back()->size()};
       if (!isData(address)) allowance_ += buffer.size();
     } else if (i != 0 || !binary) {

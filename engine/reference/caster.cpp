@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <tuple>
 
 #include "math/basis.h"
 #include "math/sampling.h"
@@ -331,14 +332,23 @@ bool Caster::isInFront(const Hit& a, const Hit& b) const {
     const Material& material = materialOf(hit.node);
     const double opacity = opacityOf(hit);
     const Vec3 transmission = material.transmission(opacity, reflection.diffuse);
-    std::array<double, 17> numbers{opacity, reflection.exponent};
+    std::array<double, 20> numbers{opacity, reflection.exponent};
     auto next = numbers.begin() + 2;
     for (const Vec3& v : {reflection.diffuse, reflection.specular, material.ambientOrDiffuse(),
-                          reflection.normal, transmission})
+                          reflection.glow, reflection.normal, transmission})
       for (int axis = 0; axis < 3; ++axis) *next++ = v[axis];
     return numbers;
   };
-  return looks(a) < looks(b);
+  const auto ofA = looks(a), ofB = looks(b);
+  if (ofA != ofB) return ofA < ofB;
+  // What a shader shows, only its text and what it is given tell.
+  const Material &first = materialOf(a.node), &second = materialOf(b.node);
+  if (!first.shader || !second.shader) return second.shader != nullptr;
+  if (first.shader->files != second.shader->files) return first.shader->files < second.shader->files;
+  return std::ranges::lexicographical_compare(
+      first.uniforms, second.uniforms, [](const UniformValue& one, const UniformValue& other) {
+        return std::tie(one.name, one.values) < std::tie(other.name, other.values);
+      });
 }
 
 double Caster::ownReach(const Hit& hit, const Vec3& direction) const {

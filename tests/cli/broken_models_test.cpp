@@ -48,6 +48,8 @@ TEST_F(BrokenModels, AreRefusedByFileAndLine) {
       {"cyclic.gltf",
        R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[0]}]})",
        "cyclic.gltf: nodes[0]: it is its own ancestor"},
+      {"apart.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"uri":"none.bin","byteLength":4}]})",
+       "apart.gltf: buffers[0].uri: cannot read"},
       {"short.glb", "glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON{}"s, "promises 4294967295 bytes"},
       {"short.ply",
        "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float "
@@ -94,6 +96,19 @@ TEST_F(BrokenModels, WhatIsMissingIsToldOnce) {
     EXPECT_EQ(outcome.err.find("warning"), outcome.err.rfind("warning")) << outcome.err;
     EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
   }
+}
+
+/// As a folder of the lesson's, with its maps, is used.
+TEST_F(BrokenModels, AFolderIsTheOneModelInIt) {
+  std::filesystem::create_directory(folder / "head");
+  write("head/notes.txt", "no model\n");
+  EXPECT_EQ(rendered("head").code, 3);
+  write("head/head.obj", kCorners + "f 1 2 3\n");
+  EXPECT_EQ(rendered("head").code, 0);
+  write("head/bust.obj", kCorners + "f 1 2 3\n");
+  const Outcome several = rendered("head");
+  EXPECT_EQ(several.code, 3);
+  EXPECT_TRUE(contains(several.err, "has 2 models")) << several.err;
 }
 
 }  // namespace

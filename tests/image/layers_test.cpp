@@ -23,7 +23,10 @@ class LayersTest : public VerifiedPictureTest {
   [[nodiscard]] static Scene sceneOf(const std::string& nodes, const std::string& render = "") {
     return buildScene(parseScene(R"_({ "luxo": 1,
       "render": { )_" + render + R"_( "ambient": [0.1, 0.1, 0.1], "background": [0.05, 0.1, 0.2] },
-      "materials": { "glass": { "diffuse": [0.2, 0.5, 0.8], "opacity": 0.35, "specular": 0.8, "shininess": 80 },
+      "textures": { "squares": { "checker": [[1, 0, 0], [0, 0, 1]] }, "tiles": { "checker": [[0, 1, 0], [1, 1, 0]] } },
+      "materials": { "lamp": { "diffuse": [0.2, 0.2, 0.2], "opacity": 0.5, "glow_map": "squares" },
+                     "lantern": { "diffuse": [0.2, 0.2, 0.2], "opacity": 0.5, "glow_map": "tiles" },
+                     "glass": { "diffuse": [0.2, 0.5, 0.8], "opacity": 0.35, "specular": 0.8, "shininess": 80 },
                      "red": { "diffuse": [0.9, 0.2, 0.1], "opacity": 0.5 },
                      "stained": { "diffuse": [0.9, 0.6, 0.2], "opacity": 0.2, "blend": "multiply" },
                      "glow": { "diffuse": [0.1, 0.5, 0.2], "opacity": 0.6, "blend": "add" },
@@ -248,11 +251,12 @@ TEST_F(LayersTest, MultiplyOfOpacityOneIsOpaque) {
 }
 
 TEST_F(LayersTest, OrderOfNodesChangesNoByte) {
-  std::vector<std::string> nodes{node("torus", "glass"),
-                                 node("torus", "red", R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 })"),
-                                 node("ball", "stained", R"(, "translate": [1, 0, 0])"),
-                                 // Twice the same sheet: of two points in one place neither is in front.
-                                 node("sheet", "red"), node("sheet", "glass")};
+  std::vector<std::string> nodes{
+      node("torus", "glass"), node("torus", "red", R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 })"),
+      node("ball", "stained", R"(, "translate": [1, 0, 0])"),
+      // Twice the same sheet: of two points in one place neither is in front.
+      node("sheet", "red"), node("sheet", "glass"), node("ball", "lamp", R"(, "translate": [-2, 0, 0])"),
+      node("ball", "lantern", R"(, "translate": [-2, 0, 0])")};
   const auto shown = [&] {
     std::string all;
     for (const std::string& one : nodes) all += (all.empty() ? "" : ", ") + one;
