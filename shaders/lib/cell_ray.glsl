@@ -53,8 +53,8 @@ CellRay cellRay(vec3 from, vec3 along) {
                  vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), 1.0, false);
 }
 
-// Told of every meeting, with its parameters, less originOfU; `atBorder`, of sight: a neighbouring rectangle may have it, too. Whether
-// the others matter no more.
+// Told of every meeting, with its parameters, less originOfU; `atBorder`, of sight: a neighbouring rectangle may have it, too.
+// Whether the others matter no more.
 bool endsAt(CellRay ray, CasterCell cell, vec2 parameters, bool atBorder);
 
 float crossOf(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }

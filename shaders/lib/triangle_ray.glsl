@@ -32,7 +32,8 @@ float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of 
 float widthBesideEdge = 1e30;  // the least of a pixel, there: where light spreads, narrower than at the point
 
 bool isAsNearAsBordersMove(CellRay ray) {
-  return (metBesideEdge || passedBesideEdge) && (ownMeetings == 0 || ray.rounding * ownSlant * ray.aslant > kMostRounding * widthBesideEdge);
+  bool isSteep = ownMeetings > 0 && ray.rounding * ownSlant * ray.aslant <= kMostRounding * widthBesideEdge;
+  return (metBesideEdge || passedBesideEdge) && !isSteep;
 }
 
 void noteEdge(CellRay ray, float t) { widthBesideEdge = min(widthBesideEdge, (ray.grain.x + ray.grain.y * t) / kGrain); }
