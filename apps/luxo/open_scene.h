@@ -49,9 +49,9 @@ struct OpenedScene {
 };
 
 /// The scene of that name: built-in ones first, then files (so ./teapot is the file), a model (mesh/model.h),
-/// the folder of one, the shader of a material (shader_scene.h) or a description; - is standard input. A GLB that carries its
-/// formulas (export/carried_scene.h) is these. Error(Scene): there is none of that name; it cannot be read or
-/// has errors. Error(Usage): it has no such parameter, or not with that value.
+/// the folder of one, the shader of a material (shader_scene.h) or a description; - is standard input. A GLB
+/// that carries its formulas (export/carried_scene.h) is these. Error(Scene): there is none of that name; it
+/// cannot be read or has errors. Error(Usage): it has no such parameter, or not with that value.
 [[nodiscard]] OpenedScene openDescribedScene(const std::string& name, const Opening& opening = {});
 /// As above, where nobody asks what it was built from.
 [[nodiscard]] Scene openScene(const std::string& scene, const Opening& opening = {});
