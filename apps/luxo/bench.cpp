@@ -18,6 +18,7 @@
 #include "bench_plot.h"
 #include "bench_reload.h"
 #include "bench_report.h"
+#include "bench_shadow_report.h"
 #include "bench_shadows.h"
 #include "console.h"
 #include "exit_code.h"
@@ -169,7 +170,9 @@ int missesPlot(const char* file) {
 
 int writeFiles(const ShadowBench& bench, const std::filesystem::path& folder) {
   write(folder / "shadows.csv", shadowCsv(bench));
+  write(folder / "shadow_biases.csv", biasCsv(bench));
   write(folder / "shadows.json", shadowJson(bench));
+  write(folder / "shadows.md", shadowMarkdown(bench));
   const std::optional<std::string> svg = runGnuplot(shadowScript(bench));
   write(folder / "shadows.html", shadowPage(bench, svg.value_or("")));
   if (!svg) return missesPlot("shadows.svg");
@@ -193,7 +196,13 @@ int writeFiles(const BenchResult& result, const std::filesystem::path& folder) {
 int runShadowBench(const BenchOptions& options, const RenderRequest& request) {
   ShadowPlan plan;
   if (options.quick)
-    plan = {.size = {240, 180}, .runs = 3, .truthPixels = 200, .points = {1, 4, 16}, .mapSizes = {64, 256}};
+    plan = {.size = {240, 180},
+            .runs = 3,
+            .truthPixels = 200,
+            .points = {1, 4, 16},
+            .mapSizes = {64, 256},
+            .constantBiases = {0, kLessonBias},
+            .texelBiases = {1, 3}};
   if (request.size) plan.size = *request.size;
   if (options.runs) plan.runs = parseRuns(*options.runs);
   if (!options.folder.empty()) makeFolder(options.folder);
@@ -274,7 +283,8 @@ void addBench(CLI::App& app, Command& chosen) {
     verb->remove_option(verb->get_option(swept));
   verb->get_option("SCENE")->description(
       "scene file, built-in name, `standard`: the standard set, `shadows`: what shadows cost, and "
-      "what is wrong with them (shadows.html, .csv, .json, .svg), or `reload`: from a shader that is saved "
+      "what is wrong with them (shadows.html, .md, .csv, .json, .svg, shadow_biases.csv), or `reload`: from "
+      "a shader that is saved "
       "to its picture (reload.json)");
   verb->get_option("--size")->description("size in pixels (1024x1024)");
   verb->add_option(

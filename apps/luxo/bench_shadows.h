@@ -23,8 +23,11 @@ struct ShadowWay {
   Kind kind = Kind::None;
   int gridSize = 64;  ///< of the light's map of casters (DrawOptions::shadowGridSize), or its depth map
   int points = 1;     ///< of the light, where it has a radius
-  double bias = 0, slopeBias = 0;  ///< of a depth map
+  /// Of a depth map, as in scene/light.h.
+  double bias = 0, slopeBias = 0, normalOffset = 0;
+  bool receiverPlane = false;
   int pcf = 1;
+  bool hasRadius = false;  ///< a depth map's light, whose penumbrae are estimated (PCSS)
 };
 
 /// The bias of the lesson that teaches depth maps: 43.34 of a viewport with 1,000 to the metre.
@@ -39,20 +42,34 @@ struct ShadowRow {
   Typical frameMs;  ///< up to the picture on the device, certified rays and audit included
   std::uint64_t shadowPasses = 0, rayPx = 0;
   /// Pixels that see the light where it is hidden, or the other way round, against rays in double precision;
-  /// nothing for soft shadows, and where there are none.
+  /// nothing where a light has a radius, and where there are no shadows.
   std::optional<std::uint64_t> wrongPx;
-  /// Of soft shadows: the root mean square of the difference from the reference with kTruthPoints points,
-  /// scene-linear, over the pixels in which that was cast.
+  /// Of lights with a radius: the root mean square of the difference from the reference with kTruthPoints
+  /// points, scene-linear, over the pixels in which that was cast.
   std::optional<double> rms;
 };
 
 /// Of the light whose shadows soft ones are held against.
 inline constexpr std::uint32_t kTruthPoints = 1024;
 
+/// What keeps a depth map's surfaces from shadowing themselves, and takes shadows' edges with it.
+enum class BiasKind { Constant, Slope, NormalOffset };
+[[nodiscard]] const char* nameOf(BiasKind kind);
+
+/// A depth map without pcf.
+struct BiasRow {
+  std::string scene;
+  BiasKind kind = BiasKind::Constant;
+  double amount = 0;  ///< metres, or texels
+  int mapSize = 0;
+  std::uint64_t wrongPx = 0;  ///< as ShadowRow's
+};
+
 struct ShadowBench {
   Fingerprint machine;
   PixelSize size;
   std::vector<ShadowRow> rows;  ///< by scene
+  std::vector<BiasRow> biases;  ///< by scene, kind and amount; map sizes ascend
 };
 
 struct ShadowPlan {
@@ -61,21 +78,14 @@ struct ShadowPlan {
   double muchMs = 6000;              ///< a way that has taken so long is not timed again
   std::uint64_t truthPixels = 1500;  ///< in which soft shadows are held against the reference
   std::vector<int> points = {1, 4, 16, 64};
-  std::vector<int> mapSizes = {256, 512, 1024, 2048, 4096};  ///< of depth maps
+  std::vector<int> mapSizes = {256, 512, 1024, 2048, 4096};                            ///< of depth maps
+  std::vector<double> constantBiases = {0, 0.003, 0.01, 0.02, kLessonBias, 0.1, 0.3};  ///< metres
+  std::vector<double> texelBiases = {0.5, 0.75, 1, 1.5, 2, 3, 5};  ///< of slope biases and normal offsets
 };
 
 /// `goesOn` as for measureScene(): nothing once it says no. Throws what Renderer and castPicture throw. Cost:
 /// minutes.
 [[nodiscard]] std::optional<ShadowBench> benchShadows(gpu::Context& context, const ShadowPlan& plan,
                                                       const std::function<bool(double)>& goesOn);
-
-[[nodiscard]] std::string shadowText(const ShadowBench& bench);
-[[nodiscard]] std::string shadowCsv(const ShadowBench& bench);
-[[nodiscard]] std::string shadowJson(const ShadowBench& bench);
-/// For runGnuplot(): wrong pixels over time and over the size of maps, and the error of soft shadows over
-/// their points.
-[[nodiscard]] std::string shadowScript(const ShadowBench& bench);
-/// One HTML page with all of that. `plot`: an SVG file; empty: no gnuplot.
-[[nodiscard]] std::string shadowPage(const ShadowBench& bench, const std::string& plot);
 
 }  // namespace luxo

@@ -11,6 +11,7 @@
 #include "bench_measure.h"
 #include "fingerprint.h"
 #include "scene/camera.h"
+#include "text_table.h"
 
 namespace luxo {
 
@@ -51,12 +52,6 @@ struct BenchSummary {
 };
 
 [[nodiscard]] BenchSummary summaryOf(const BenchScene& scene);
-
-/// A table for people.
-struct TextTable {
-  std::vector<std::string> head;
-  std::vector<std::vector<std::string>> rows;
-};
 
 /// The exact picture against the usual mesh: a row per scene that was drawn in both ways.
 [[nodiscard]] TextTable usualTable(const BenchResult& result);
