@@ -143,8 +143,9 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
                                 hasLayers(snapshot, options) || occludes || traces);
   list_.occludes = occludes;
   list_.traces = traces;
+  // Of geometry where it may have holes.
   list_.runsShaders =
-      options.output == Output::Color &&
+      (options.output == Output::Color || (showsGeometry(options.output) && hasLayers(snapshot, options))) &&
       std::ranges::any_of(materials, [](const Material& material) { return material.shader != nullptr; });
   if (list_.deferred || hasLayers(snapshot, options)) {
     if (options.output == Output::Color)

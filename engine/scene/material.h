@@ -49,9 +49,9 @@ enum class NormalSpace {
 /// its sums are rounded. A step of 8 bits is sixteen times as much.
 inline constexpr double kCutoffSlack = 0x1p-12 + 1e-5;
 
-/// Where a formula or a map says less than that, nothing is seen in pictures of the geometry, as of opacity
-/// 0: that, a quarter of a code of 8 bits, is where opacities leave 0, to more than what floats round away of
-/// them.
+/// Where the opacity is less than that, whatever says so, nothing is seen in pictures of the geometry, as of
+/// opacity 0: that, a quarter of a code of 8 bits, is where opacities leave 0, to more than what floats round
+/// away of them. Pictures of light blend it: of many layers, or of a bright light, it is seen.
 inline constexpr double kLeastShown = 0x1p-10;
 
 /// Colours are linear RGB factors.
@@ -119,7 +119,7 @@ struct Material {
   /// cannot run, does not count.
   [[nodiscard]] bool hasHoles() const {
     return blend != Blend::Multiply && shading != Shading::Wireframe &&
-           (diffusePattern.hasOpacity() || mapOpacity);
+           (opacity < kLeastShown || diffusePattern.hasOpacity() || mapOpacity);
   }
   /// Whether it is so in a picture of that shading; in one of its geometry nothing but its holes is.
   [[nodiscard]] bool seenThroughIn(Shading picture, bool ofGeometry) const {

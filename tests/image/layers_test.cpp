@@ -32,6 +32,8 @@ class LayersTest : public VerifiedPictureTest {
                      "glow": { "diffuse": [0.1, 0.5, 0.2], "opacity": 0.6, "blend": "add" },
                      "nothing": { "opacity": 0 }, "no glow": { "opacity": 0, "blend": "add" },
                      "nothing by formula": { "opacity": "0*u" },
+                     "faint": { "opacity": 0.0009 }, "less faint": { "opacity": 0.001 },
+                     "faint by formula": { "opacity": "if(u < 9, 0.0009, v)" },
                      "tiles": { "diffuse": [0.8, 0.7, 0.3], "opacity": "if(mod(2u, 1) < 0.5, 0, if(mod(2v, 1) < 0.5, 0, 0.7))" },
                      "coarse glass": { "diffuse": [0.2, 0.5, 0.8], "opacity": 0.5, "shading": "phong" },
                      "waves": { "diffuse": [0.8, "u", 0.2], "opacity": "0.5+0.5*sin(8*u)" },
@@ -144,6 +146,31 @@ TEST_F(LayersTest, GeometryIsThatBehindHoles) {
     for (const std::size_t node : {2U, 3U, 4U, 5U, 6U})
       EXPECT_GT(shown[node], 30) << nameOf(shading) << " " << node;
   }
+}
+
+/// Whether an opacity is a number or a formula: below kLeastShown what is behind is the geometry, and the
+/// light of both is the same.
+TEST_F(LayersTest, ANumberIsAsOpaqueAsItsFormula) {
+  const auto snapshotOf = [&](const std::string& material) {
+    return takeSnapshot(sceneOf(R"({ "translate": [2, 9, 1], "light": { "shadow": "exact" } }, )" +
+                                node("torus", material) + ", " + node("ball", "glass")),
+                        0, kLayersSize);
+  };
+  const Snapshot number = snapshotOf("faint"), formula = snapshotOf("faint by formula");
+  for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Gouraud, Shading::Toon})
+    for (const Output output : {Output::Color, Output::Id, Output::Depth, Output::Certificate}) {
+      const DrawOptions options{.shading = shading, .output = output};
+      EXPECT_TRUE(
+          sameBytes(renderer().render(number, options).image, renderer().render(formula, options).image))
+          << nameOf(shading) << ", output " << static_cast<int>(output);
+    }
+  EXPECT_EQ(verified(number).verification.wrong.total(), 0U);
+  const ReferencePicture truth = castPicture(number), same = castPicture(formula);
+  EXPECT_TRUE(sameBytes(truth.color, same.color));
+  EXPECT_EQ(truth.number, same.number);
+  constexpr std::uint32_t kTorus = 4;
+  EXPECT_EQ(std::ranges::count(truth.number, kTorus), 0);
+  EXPECT_GT(std::ranges::count(castPicture(snapshotOf("less faint")).number, kTorus), 1000);
 }
 
 /// That of the worst point which is seen, and of what is behind where they are all certain.

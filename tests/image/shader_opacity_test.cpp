@@ -131,6 +131,20 @@ TEST_F(ShaderOpacity, OfZeroIsAHole) {
   EXPECT_LE(largestDifference(solidly(opaque), solidly(solid)), 2e-6);
 }
 
+/// What the material's own opacity leaves nothing of is no geometry, whatever its shader says.
+TEST_F(ShaderOpacity, OfNextToNothingIsNotInPicturesOfTheGeometry) {
+  const std::string text = "vec4 material(Point p) { return vec4(0.5, 0.25, 2.0, 1.0); }";
+  for (const Shading shading : {Shading::Exact, Shading::Phong}) {
+    const auto shown = [&](double opacity) {
+      return draw(ringAroundBall(seenThroughBy(text, {.opacity = opacity})), kOpacityCamera,
+                  kShaderOpacitySize, {.shading = shading, .output = Output::Id})
+          .image;
+    };
+    EXPECT_TRUE(sameBytes(shown(0.0009), shown(0)));
+    EXPECT_FALSE(sameBytes(shown(0.001), shown(0)));
+  }
+}
+
 /// What a point of what is seen through tells its shader is what an opaque one does: in exact shading, on the
 /// triangles of a formula, and on triangles of their own with tangents; found by searches and by rays.
 TEST_F(ShaderOpacity, ThePointIsThatOfAnOpaqueMaterial) {
