@@ -62,8 +62,9 @@ RenderOptions::RenderOptions(CLI::App& command, SceneArgument scene, RenderTarge
     add("--sweep", t.sweep, "one picture for each value of a parameter, numbered like frames",
         "NAME=FROM:TO:STEP");
     add("--aov", t.aov,
-        "what to write: color depth position normal uv id residual light-depth certificate (1 by a search, "
-        "2 by a ray, 3 not proven) (color)",
+        "what to write: color depth position normal uv id residual light-depth (of the first light with a "
+        "shadow, light-depth:NODE of that node's) certificate (1 by a search, 2 by a ray, 3 not proven) "
+        "(color)",
         "NAME");
     add("--sample", t.sample, "the sample of each pixel that --aov is of, from 0 (the pixel's centre)", "I");
     add("--report", t.report, "times, counts and errors of each frame, as JSON; - is stdout", "FILE");
@@ -154,11 +155,13 @@ RenderRequest RenderOptions::request(RenderTarget destination) const {
   request.camera = t.camera;
   for (const std::string& text : t.parameters) request.parameters.push_back(parseParameter(text));
   take(request.sweep, t.sweep, parseSweep);
-  request.fromLight = t.aov == "light-depth";
-  if (request.fromLight)
-    request.aov = Output::Depth;
-  else
-    take(request.aov, t.aov, parseAov);
+  take(request.aov, t.aov, [&](const std::string& text) {
+    const std::size_t colon = text.find(':');
+    request.fromLight = text.substr(0, colon) == "light-depth";
+    if (!request.fromLight) return parseAov(text);
+    if (colon != std::string::npos) request.light = text.substr(colon + 1);
+    return Output::Depth;
+  });
   take(request.composition, t.composition, parseComposition);
   take(request.skips, t.skip, parseSkips);
   take(request.audit, t.audit, parseAudit);

@@ -35,6 +35,7 @@ struct RenderRequest {
   std::optional<Sweep> sweep = std::nullopt;  ///< one picture per value; never together with frames
   Output aov = Output::Color;
   bool fromLight = false;  ///< --aov light-depth: the depth of what casts a shadow, as its light sees it
+  std::optional<std::string> light = std::nullopt;  ///< --aov light-depth:NODE: that node's
   std::optional<int> sample = std::nullopt;  ///< only that one of each pixel; below the number of samples
   Composition composition = Composition::Auto;
   Skips skips = {};

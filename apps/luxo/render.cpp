@@ -108,6 +108,7 @@ class Run {
   int toExitCode() {
     if (request_.sweep) swept_ = sweptParameter(scene_, *request_.sweep);
     const CameraId camera = cameraOf(scene_, request_);
+    light_ = lightOf(scene_, request_);
     const std::vector<Job> jobs = jobsOf(request_, settings_);
     requireOutputsOf(jobs, request_, inputs_);
     warnAboutClampedValues();
@@ -166,7 +167,8 @@ class Run {
         snapshot =
             seenFromLight(std::move(snapshot),
                           request_.size ? std::optional(std::min(settings_.size.width, settings_.size.height))
-                                        : std::nullopt);
+                                        : std::nullopt,
+                          light_);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
       if (request_.aov == Output::Color)
@@ -349,6 +351,7 @@ class Run {
   std::optional<Vec2> sampleOffset_;  ///< of the one sample that is drawn
   Stopwatch told_;                    ///< of progress
   ParameterId swept_;
+  NodeId light_;                   ///< whose depths are shown; none: the first's
   std::optional<Camera> fitted_;   ///< to a scene without a camera
   std::optional<Interval> greys_;  ///< depths of a light that greys are of
   RunReport report_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,22 @@ CameraId cameraOf(const Scene& scene, const RenderRequest& request) {
               names.empty()
                   ? "it has no camera at all; leave the option out"
                   : didYouMean(*request.camera, names, fmt::format("its cameras: {}", listed(names))));
+}
+
+NodeId lightOf(const Scene& scene, const RenderRequest& request) {
+  if (!request.light) return {};
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < scene.nodes().size(); ++i) {
+    const Scene::Entry& entry = scene.nodes()[i];
+    if (entry.removed || !entry.node.light || entry.node.light->shadow == Light::Shadow::None) continue;
+    names.push_back(entry.node.name.empty() ? scene.shownName({i}) : entry.node.name);
+    if (names.back() == *request.light) return {i};
+  }
+  throw Error(ErrorKind::Usage,
+              fmt::format("--aov light-depth: the scene has no light '{}' with a shadow", *request.light),
+              names.empty() ? "no light of it has one"
+                            : didYouMean(*request.light, names,
+                                         fmt::format("its lights with a shadow: {}", listed(names))));
 }
 
 void refuseParameters(const RenderRequest& request) {

@@ -20,6 +20,10 @@ namespace luxo {
 /// None: the scene's first. Error(Usage): it has none of that name.
 [[nodiscard]] CameraId cameraOf(const Scene& scene, const RenderRequest& request);
 
+/// The light that --aov light-depth:NODE is of, none if it names none. Error(Usage): no light of that name,
+/// or of a node without a name at that place, has a shadow.
+[[nodiscard]] NodeId lightOf(const Scene& scene, const RenderRequest& request);
+
 /// Error(Usage) for any -P: what is built in C++ has no parameters.
 void refuseParameters(const RenderRequest& request);
 

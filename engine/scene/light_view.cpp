@@ -119,13 +119,17 @@ std::vector<View> lightViews(const SnapshotLight& light, const Box& casters, con
   return views;
 }
 
-Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size) {
-  const auto light = std::ranges::find_if(
-      snapshot.lights, [](const SnapshotLight& l) { return !l.casters.empty() || l.shade; });
-  if (light == snapshot.lights.end())
+Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size, NodeId light) {
+  std::erase_if(snapshot.lights, [&](const SnapshotLight& one) {
+    return !one.hasShadow() || (light.valid() && one.id != light);
+  });
+  if (snapshot.lights.empty() && light.valid())
+    throw Error(ErrorKind::Scene, "the light has no shadow then: it has no depth picture",
+                "it has a \"shadow\" where it and what casts one are visible");
+  if (snapshot.lights.empty())
     throw Error(ErrorKind::Scene, "no light of the scene has a shadow: none has a depth picture",
                 "give a light a \"shadow\"");
-  SnapshotLight seen = *light;
+  SnapshotLight seen = *std::ranges::min_element(snapshot.lights, {}, &SnapshotLight::id);
   if (seen.pointOf) seen.positionWorld = seen.pointOf->middle;
   std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
     return std::ranges::find(seen.casters, node.id) == seen.casters.end() &&

@@ -27,11 +27,12 @@ namespace luxo {
 [[nodiscard]] std::vector<View> lightViews(const SnapshotLight& light, const Box& casters,
                                            const Box& receivers, int size);
 
-/// The scene as the first of its lights that have a shadow sees it: its casters alone, in one picture, which
-/// of a light amid them shows what is within 63 degrees of their middle, or of a spot its cone. Depths are
-/// distances along the view from a point light, up to 2^30 times the casters' size away; else from the
-/// nearest caster's. Pixels along a side as given; else those of its map, or as many as fit into the
-/// snapshot's picture. Throws Error(Scene) where no light has a shadow.
-[[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt);
+/// The scene as a node's light that has a shadow sees it, without one the first of the scene: its casters
+/// alone, in one picture, which of a light amid them shows what is within 63 degrees of their middle, or of a
+/// spot its cone. Depths are distances along the view from a point light, up to 2^30 times the casters' size
+/// away; else from the nearest caster's. Pixels along a side as given; else those of its map, or as many as
+/// fit into the snapshot's picture. Throws Error(Scene) where no light has a shadow, or not that one.
+[[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt,
+                                     NodeId light = {});
 
 }  // namespace luxo

@@ -284,6 +284,33 @@ TEST_F(RenderFiles, DepthsOfALightAreGreyOrMetres) {
   EXPECT_TRUE(contains(render("b.png"), "black, as the light sees nothing"));
 }
 
+/// By the name of its node, or by its place where it has none; without one that of the first in the file.
+TEST_F(RenderFiles, DepthsOfEveryLightCanBeAskedFor) {
+  writeText(folder / "three.luxo.json",
+            R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
+    "nodes": [ { "surface": "disc" }, { "name": "dark", "translate": [0, 1, 0], "light": {} },
+               { "name": "sun", "translate": [0, 6, 0], "light": { "intensity": 5, "shadow": "exact" } },
+               { "name": "a:b", "translate": [0, 3, 0], "light": { "shadow": "map" } },
+               { "translate": [0, 9, 0], "visible": "t < 1", "light": { "intensity": 3, "shadow": "exact" } } ] })");
+  const auto render = [&](const std::string& aov, const char* time = "0") {
+    return run(folder,
+               {"render", "three.luxo.json", "--aov", aov, "--size", "33x33", "--time", time, "-o", "a.png"});
+  };
+  const std::pair<const char*, const char*> distances[] = {{"light-depth", "6 m"},
+                                                           {"light-depth:sun", "6 m"},
+                                                           {"light-depth:a:b", "3 m"},
+                                                           {"light-depth:nodes[4]", "9 m"}};
+  for (const auto& [aov, distance] : distances)
+    EXPECT_TRUE(contains(render(aov).err, fmt::format("depths from {} (white)", distance))) << aov;
+  for (const char* unknown : {"nobody", "dark", ""})
+    expectFailure(render(fmt::format("light-depth:{}", unknown)), 2,
+                  fmt::format("the scene has no light '{}' with a shadow", unknown),
+                  "its lights with a shadow: sun, a:b, nodes[4]");
+  expectFailure(render("light-depth:sum"), 2, "no light 'sum'", "did you mean 'sun'?");
+  expectFailure(render("light-depth:nodes[4]", "2"), 3, "the light has no shadow then", "visible");
+  expectFailure(render("light-depths:sun"), 2, "--aov 'light-depths:sun'", "light-depth");
+}
+
 /// From 2 km away as from 2 m, however fine the picture.
 TEST_F(RenderFiles, DepthsOfADistantLightAreMetres) {
   writeText(folder / "far.luxo.json",
