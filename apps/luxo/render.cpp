@@ -362,7 +362,7 @@ class Run {
 };
 
 int renderScene(const RenderRequest& request, const ShaderOptions& shader) {
-  // Looking for holes takes time; what a model or a texture lacks is known.
+  // Looking for holes takes time; what a model, a texture or a light lacks is known.
   const bool warn = request.verbosity == Verbosity::Verbose || request.verbosity == Verbosity::Normal;
   const auto about =
       request.verbosity == Verbosity::Verbose ? WarningsAbout::All : WarningsAbout::WhatIsLacking;

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,11 +30,17 @@ void addView(CLI::App& app, Command& chosen) {
       if (namesMaterialShader(name)) return showShader(name, use, request);
       ViewerOptions viewer = viewerOptions(name, request);
       viewer.readAgain = [name, request](ViewerOptions::Files& files) {
+        std::vector<std::string> warnings;
+        const auto about =
+            request.verbosity == Verbosity::Verbose ? WarningsAbout::All : WarningsAbout::WhatIsLacking;
         OpenedScene opened =
             openDescribedScene(name, {.parameters = request.parameters,
+                                      .warnings = request.verbosity == Verbosity::Quiet ? nullptr : &warnings,
+                                      .about = about,
                                       .files = &files,
                                       .allowOutside = request.allowOutside,
                                       .showsProgress = request.verbosity == Verbosity::Normal});
+        for (const std::string& warning : warnings) printWarning(warning);
         ViewedScene viewed = viewedScene(std::move(opened.scene), request);
         viewed.loop = opened.duration;
         return viewed;

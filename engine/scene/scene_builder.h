@@ -18,8 +18,8 @@ struct ParameterOverride {
   Quantity value;
 };
 
-/// What warnings tell: all that is probably not meant; or only what the picture goes without, files and maps,
-/// which is known at no cost.
+/// What warnings tell: all that is probably not meant; or only what the picture goes without (files, maps,
+/// what a light says about another shadow than its own), which is known at no cost.
 enum class WarningsAbout { All, WhatIsLacking };
 
 /// The scene of a description. Its parameters are those of the file, each after those that it needs; all of

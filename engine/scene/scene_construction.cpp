@@ -450,6 +450,7 @@ Scene constructScene(const SceneFile& file, std::span<const ParameterOverride> o
   Scene scene = SceneConstruction(file, overrides, problems, warnings, about).build();
   if (warnings) {
     if (about == WarningsAbout::All) addFileWarnings(file, *warnings);
+    addShadowWarnings(file, *warnings);
     std::ranges::stable_sort(*warnings, {}, [](const Diagnostic& warning) { return warning.where.begin; });
   }
   return scene;

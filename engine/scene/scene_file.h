@@ -305,6 +305,7 @@ struct RotationDesc {
 struct ShadowMapDesc {
   Quantity size = 2048, bias = 0, slopeBias = 0, normalOffset = 0, pcf = 1;
   bool receiverPlane = false;
+  FilePlace place = {};
 
   friend bool operator==(const ShadowMapDesc&, const ShadowMapDesc&) = default;
 };

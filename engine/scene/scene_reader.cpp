@@ -485,6 +485,7 @@ void SceneReader::readSpot(const JsonValue& value, LightDesc& light) {
 void SceneReader::readMap(const JsonValue& value, ShadowMapDesc& map) {
   if (!value.exists()) return;
   const SceneMembers members(value, keys::kMap, problems_);
+  map.place = placeOf(value.where());
   values_.read(members["size"], map.size);
   values_.read(members["bias"], map.bias);
   values_.read(members["slope_bias"], map.slopeBias);

@@ -143,7 +143,7 @@ void warnOfShadow(const LightDesc& light, std::vector<Diagnostic>& warnings) {
     warnings.push_back({rangeOf(light.radius.place()), "a light without a shadow has no use for a radius",
                         "write \"shadow\": \"exact\", or leave the radius out"});
   if (light.map != ShadowMapDesc() && light.shadow != Light::Shadow::Map)
-    warnings.push_back({rangeOf(light.map.size.place()), "only a light whose shadow is \"map\" has a map",
+    warnings.push_back({rangeOf(light.map.place), "only a light whose shadow is \"map\" has a map",
                         "write \"shadow\": \"map\", or leave \"map\" out"});
   if (!hasRadius && light.shadowSamples != LightDesc().shadowSamples)
     warnings.push_back({rangeOf(light.shadowSamples.place()),
@@ -216,6 +216,11 @@ void forEachQuantity(const SceneFile& file, const Visit& visit) {
   for (const CameraDesc& camera : file.cameras) visitCamera(camera, visit);
 }
 
+void addShadowWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
+  for (const NodeDesc& node : file.nodes)
+    if (node.light) warnOfShadow(*node.light, warnings);
+}
+
 void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
   std::unordered_set<std::string_view> surfaces, materials, textures;
   for (const NodeDesc& node : file.nodes) {
@@ -237,8 +242,6 @@ void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings) {
                           fmt::format("no material uses the texture '{}'", texture.name.text),
                           {}});
   for (const MaterialDesc& material : file.materials) warnOfBrightness(material, warnings);
-  for (const NodeDesc& node : file.nodes)
-    if (node.light) warnOfShadow(*node.light, warnings);
   forEachQuantity(file, [&](const Quantity& quantity) {
     if (!quantity.isFormula()) return;
     const SourceRange quotient = ambiguousQuotient(quantity.formula());

@@ -13,6 +13,9 @@ namespace luxo {
 /// Adds the warnings that need no scene: materials and surfaces that nobody uses, and quotients like 1/2u.
 void addFileWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings);
 
+/// And of what lights say about another shadow than their own, which no picture shows.
+void addShadowWarnings(const SceneFile& file, std::vector<Diagnostic>& warnings);
+
 /// Visits every quantity of a description.
 void forEachQuantity(const SceneFile& file, const std::function<void(const Quantity&)>& visit);
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "support/gpu_fixture.h"
 
 namespace luxo::test {
 namespace {
@@ -62,6 +63,30 @@ TEST_F(SceneFiles, MistakesAreShownWithTheirPlace) {
             "bad.luxo.json:5:");
   expectBad("\xff\xfe garbage", "bad.luxo.json:1:1");
   expectBad("", "bad.luxo.json:1:1");
+}
+
+/// It is not in the picture, in files as in the window, and nobody has to ask for more to be told.
+TEST_F(SceneFiles, WhatALightSaysOfAnotherShadowIsTold) {
+  const ScopedVariable x11("DISPLAY", nullptr), wayland("WAYLAND_DISPLAY", nullptr);
+  const std::string said = "warning: map.luxo.json:8:",
+                    what = "only a light whose shadow is \"map\" has a map";
+  const auto told = [&](const std::string& light, const Arguments& command) {
+    writeText(folder / "map.luxo.json",
+              waveWith("\"directional\"", "\"directional\",\n\"shadow\": " + light));
+    Arguments arguments{command.front(), "map.luxo.json"};
+    arguments.insert(arguments.end(), command.begin() + 1, command.end());
+    return run(folder, arguments).err;
+  };
+  const Arguments file{"render", "--engine", "reference", "--size", "9x9", "-o", "a.png"}, window{"view"};
+  for (const Arguments& command : {file, window}) {
+    const std::string err = told(R"("exact", "map": { "bias": 0.1 })", command);
+    EXPECT_TRUE(contains(err, said) && contains(err, what)) << err;
+    EXPECT_EQ(err.find("warning"), err.rfind("warning")) << err;
+    EXPECT_FALSE(contains(told(R"("map", "map": { "bias": 0.1 })", command), "warning"));
+    Arguments quiet = command;
+    quiet.push_back("-q");
+    EXPECT_FALSE(contains(told(R"("exact", "map": { "bias": 0.1 })", quiet), "warning"));
+  }
 }
 
 TEST_F(SceneFiles, SizesHaveOneLimit) {

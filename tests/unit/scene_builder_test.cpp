@@ -453,6 +453,10 @@ TEST(SceneBuilder, WarnsOfWhatIsOfAnotherShadow) {
   EXPECT_EQ(found(R"("shadow": "exact", "shadow_plane": "floor")"),
             (std::vector<std::string>{"2:36 only a planar shadow falls on a plane alone (write \"shadow\": "
                                       "\"planar\", or leave \"shadow_plane\" out)"}));
+  EXPECT_EQ(
+      found(R"("shadow": "exact", "map": { "bias": 0.1 })"),
+      (std::vector<std::string>{"2:27 only a light whose shadow is \"map\" has a map (write \"shadow\": "
+                                "\"map\", or leave \"map\" out)"}));
   EXPECT_TRUE(found(R"("shadow": "planar", "shadow_plane": "floor", "casters": ["floor"])").empty());
   EXPECT_TRUE(found(R"("casters": [])").empty());
 }
