@@ -196,6 +196,24 @@ TEST_F(ShadowTest, OfAllLightsAndCastersAreTheTruth) {
   }
 }
 
+/// Nor do they where thin rods, rims and 35 kinds of surface cast them: what a map leaves open rays settle.
+TEST_F(ShadowTest, OfTheBuiltInScenesDoNotDependOnTheSizeOfTheMap) {
+  for (const auto& [name, size] :
+       {std::pair("luxo-grandpa", PixelSize{160, 120}), std::pair("teapot", PixelSize{160, 120}),
+        std::pair("showcase", PixelSize{160, 120}), std::pair("catalogue", PixelSize{96, 64})}) {
+    SCOPED_TRACE(name);
+    const Snapshot snapshot = takeSnapshot(withAllShadows(name), 13.7, size);
+    const Picture usual = renderer().render(snapshot);
+    for (const int texels : {32, 256, 4096}) {
+      const Picture other = renderer().render(snapshot, {.shadowGridSize = texels});
+      EXPECT_TRUE(sameBytes(usual.image, other.image)) << texels;
+      EXPECT_GT(other.statistics.count.shadowPasses, 0U) << texels;
+      EXPECT_EQ(other.statistics.error.unconvergedPx, 0U) << texels;
+      EXPECT_EQ(other.statistics.error.uncertifiedPx, 0U) << texels;
+    }
+  }
+}
+
 /// At that time joint 3 enters the shade, whose light ends there in a ring; a mesh's allowance left 24 pixels
 /// of it dark that are lit.
 TEST_F(ShadowTest, OfTheLampsShadeEndsWhereItEnds) {
