@@ -9,35 +9,47 @@ layout(constant_id = kConstantGivenOrder) const bool kGivenOrder = false;
 
 bool isLess(vec3 a, vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
+// What points are mostly sorted by. A CPU device reads a buffer slowly: it is read once for each step of a merge.
+struct LayerKey {
+  uint index, next, node;
+  float depth;
+};
+
+LayerKey keyOf(uint index) {
+  return LayerKey(index, layerPoints[index].next, kGivenOrder ? layerPoints[index].material & kLayerMaterial : 0,
+                  layerPoints[index].depth);
+}
+
 // A total order. Of points that look different it does not depend on that of the nodes.
-bool isBefore(uint first, uint second) {
-  uint ofA = layerPoints[first].material & kLayerMaterial, ofB = layerPoints[second].material & kLayerMaterial;
-  if (kGivenOrder && ofA != ofB) return ofA > ofB;
-  float a = layerPoints[first].depth, b = layerPoints[second].depth;
-  if (a != b) return a < b;
-  vec3 lightA = layerPoints[first].light, lightB = layerPoints[second].light;
+bool isBefore(LayerKey a, LayerKey b) {
+  if (a.node != b.node) return a.node > b.node;
+  if (a.depth != b.depth) return a.depth < b.depth;
+  vec3 lightA = layerPoints[a.index].light, lightB = layerPoints[b.index].light;
   if (lightA != lightB) return isLess(lightA, lightB);
-  vec3 throughA = layerPoints[first].through, throughB = layerPoints[second].through;
-  return throughA != throughB ? isLess(throughA, throughB) : ofA < ofB;
+  vec3 throughA = layerPoints[a.index].through, throughB = layerPoints[b.index].through;
+  if (throughA != throughB) return isLess(throughA, throughB);
+  return (layerPoints[a.index].material & kLayerMaterial) < (layerPoints[b.index].material & kLayerMaterial);
 }
 
 // Runs of 1, 2, 4, ... points are merged, in the list's own links.
 uint sorted(uint head) {
   for (uint run = 1;; run *= 2) {
-    uint left = head, tail = 0, merges = 0;
-    head = 0;
-    while (left != 0) {
+    LayerKey left = keyOf(head);
+    uint tail = 0, merges = 0;
+    while (left.index != 0) {
       ++merges;
-      uint right = left, ofLeft = 0, ofRight = run;
-      for (; ofLeft < run && right != 0; ++ofLeft) right = layerPoints[right].next;
-      while (ofLeft > 0 || (ofRight > 0 && right != 0)) {
-        bool takesLeft = ofLeft > 0 && (ofRight == 0 || right == 0 || !isBefore(right, left));
-        uint taken = takesLeft ? left : right;
+      uint atRight = left.index, ofLeft = 0, ofRight = run;
+      for (; ofLeft < run && atRight != 0; ++ofLeft) atRight = layerPoints[atRight].next;
+      LayerKey right = keyOf(atRight);
+      while (ofLeft > 0 || (ofRight > 0 && right.index != 0)) {
+        bool takesLeft = ofLeft > 0 && (ofRight == 0 || right.index == 0 || !isBefore(right, left));
+        uint taken = takesLeft ? left.index : right.index;
+        LayerKey after = keyOf(takesLeft ? left.next : right.next);
         if (takesLeft) {
-          left = layerPoints[left].next;
+          left = after;
           --ofLeft;
         } else {
-          right = layerPoints[right].next;
+          right = after;
           --ofRight;
         }
         if (tail != 0)
