@@ -31,6 +31,9 @@ void registerModels();
 /// rays, where that is installed.
 void registerKnotFrames(gpu::Context& context);
 
+/// Frames of eight sheets that are seen through beside one of them, and beside an opaque one.
+void registerLayerFrames(gpu::Context& context);
+
 /// From the start of `luxo_grandpa -o` to a PNG on disk, with empty caches beside full ones.
 void registerStart();
 

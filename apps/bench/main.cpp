@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     bench::registerScenes();
     bench::registerModels();
     bench::registerKnotFrames(context);
+    bench::registerLayerFrames(context);
     bench::registerStages(lamp);
     bench::registerStart();
     bench::registerShaders();

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "benchmarks.h"
+#include "luxo_frames.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
+#include "side_by_side.h"
+
+namespace luxo::bench {
+namespace {
+
+constexpr PixelSize kSize{512, 512};
+constexpr int kMany = 8;
+
+/// So many waving sheets, one under the other, each over all of the picture.
+Scene sheets(int count, double opacity) {
+  std::string nodes;
+  for (int i = 0; i < count; ++i)
+    nodes +=
+        fmt::format(R"({{ "surface": "sheet", "material": "glass", "translate": [0, {}, 0] }}, )", -0.5 * i);
+  return buildScene(parseScene(fmt::format(R"_({{ "luxo": 1,
+      "materials": {{ "glass": {{ "diffuse": [0.8, 0.3, 0.2], "opacity": {} }} }},
+      "surfaces": {{ "sheet": {{ "type": "formula", "u": [-1, 1], "v": [-1, 1],
+                               "position": ["6u", "0.15*sin(5u)*cos(4v)", "6v"] }} }},
+      "camera": {{ "eye": [0, 4, 2], "look_at": [0, 0, 0], "fov_y": "45deg" }},
+      "nodes": [ {} {{ "translate": [-3, 8, 3], "light": {{}} }} ] }})_",
+                                           opacity, nodes),
+                               "sheets"));
+}
+
+/// A further layer costs (ratio - 1) / 7 of the other frame.
+void manySheets(benchmark::State& state, gpu::Context& context, double opacity) {
+  const FrameDesc desc{.size = kSize, .options = {.shading = Shading::Exact}, .times = {0}};
+  const Scene many = sheets(kMany, 0.5), one = sheets(1, opacity);
+  LuxoFrames ours(context, many, desc), theirs(context, one, desc);
+  sideBySide(
+      state, [&](int) { ours.draw(0); }, [&](int) { theirs.draw(0); });
+}
+
+}  // namespace
+
+void registerLayerFrames(gpu::Context& context) {
+  const auto add = [&](const char* name, double opacity) {
+    benchmark::RegisterBenchmark(
+        name, [&context, opacity](benchmark::State& state) { manySheets(state, context, opacity); })
+        ->UseManualTime()
+        ->Iterations(12)
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("layers/8_over_1", 0.5);
+  add("layers/8_over_opaque", 1);
+}
+
+}  // namespace luxo::bench
