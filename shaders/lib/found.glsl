@@ -7,14 +7,17 @@
 #ifndef LUXO_LIB_FOUND_GLSL
 #define LUXO_LIB_FOUND_GLSL
 #extension GL_GOOGLE_include_directive : require
+#include "lib/found_around.glsl"
 #include "lib/illumination.glsl"
 
+// Light asks for no id and no certificate. Views of geometry do: they are in Inspected (lib/inspection.glsl), which shells fill
+// from this and from their instance, what is drawn as triangles from these alone.
 struct Found {
   vec3 position;    // metres
   vec3 normal;      // unit, of the side that is shown
   vec3 viewer;      // unit, toward the viewer
   vec2 parameters;  // u and v
-  float depth;      // metres along the view axis; not of triangles, whose shaders do not ask for it
+  float depth;      // metres along the view axis: of shells, for views of geometry alone; elsewhere 0
   float residual;   // pixels; negative where the point is not certified
 };
 

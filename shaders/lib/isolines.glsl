@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much of a pixel lines of a field cover: engine/scene/isolines.h says how, and has the same in double.
 
-// How u and v move from a pixel to the next: u, v to the right, u, v below. Whoever includes this knows.
-vec4 pixelFootprint();
-
 // Those of the material, behind its other numbers.
 float isolineParameterAt(uint k) { return patternParameterAt(LUXO_FIRST_OF_ISOLINES + k); }
 #undef parameterAt

@@ -105,8 +105,6 @@ float curvatureParameterAt(uint k) { return shaderNumber(LUXO_CURVATURE_NUMBERS 
 #undef parameterAt
 #endif
 
-vec4 normalFrame();
-
 // How the point moves on its tangent plane to the next pixel: along the ray, which moves by these.
 vec3 stepOnPlane(vec3 moved, vec3 ray, vec3 n) { return moved - ray * (dot(n, moved) / dot(n, ray)); }
 

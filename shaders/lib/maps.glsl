@@ -32,11 +32,6 @@ vec3 glowAt(vec2 parameters) { return LUXO_ADDS_LIGHT ? vec3(0) : wholeGlowAt(pa
 #endif
 
 #ifdef LUXO_NORMAL_MAP
-#ifdef LUXO_FRAMED
-// The tangent, and the sign of the bitangent w * cross(normal, tangent), of the side that is shown.
-vec4 normalFrame();
-#endif
-
 vec3 bentNormal(vec3 normal, vec2 parameters) {
   vec3 v = normalFromTexel() * (2.0 * texelOfMap(LUXO_NORMAL_MAP, mapParameters(parameters)) - 1.0);
 #ifdef LUXO_FRAMED

@@ -3,6 +3,7 @@
 #ifndef LUXO_LIB_PATTERN_GLSL
 #define LUXO_LIB_PATTERN_GLSL
 #include "lib/formula.glsl"
+#include "lib/found_around.glsl"
 #include "shared/scene_data.h"
 
 #ifndef LUXO_PATTERN_BINDING
@@ -10,9 +11,8 @@
 #endif
 layout(scalar, set = kSetPattern, binding = LUXO_PATTERN_BINDING) readonly buffer PatternParameters { float patternParameters[]; };
 
-// The including shader says where the material's parameters start, and the lowest and highest u and v inside the surface.
+// The including shader says where the material's parameters start, and what lib/found_around.glsl asks.
 uint firstPatternParameter();
-vec4 patternBounds();
 
 float patternParameterAt(uint k) { return patternParameters[firstPatternParameter() + k]; }
 
@@ -24,7 +24,6 @@ float colorOrBlack(float c) { return c > 0.0 && c <= 3.40282347e38 ? min(c, 1e18
 #include "pattern"
 #undef parameterAt
 
-// Rounding must not lead across the end of the domain, where a pattern may jump.
 vec2 patternParametersAt(vec2 parameters) {
   vec4 bounds = patternBounds();
   return clamp(parameters, bounds.xy, bounds.zw);

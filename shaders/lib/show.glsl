@@ -9,16 +9,10 @@ layout(location = 1) out vec2 outParameters;
 #endif
 #ifdef LUXO_FINDS_FOOTPRINT
 layout(location = 2) out vec4 outFootprint;
-vec4 pixelFootprint();
 #endif
 #ifdef LUXO_FINDS_FRAME
 layout(location = 3) out vec4 outFrame;
-vec4 normalFrame();
 #endif
-
-// Lowest and highest u and v inside the surface: rounding must not lead across the end of the domain, where a pattern may
-// jump.
-vec4 patternBounds();
 
 void show(Found found, float alpha) {
   if (kQuantity == kFoundTexel) {

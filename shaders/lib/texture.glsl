@@ -8,9 +8,6 @@
 #endif
 layout(set = kSetPattern, binding = LUXO_TEXELS_BINDING) uniform samplerBuffer texels;
 
-// How u and v move from a pixel to the next: u, v to the right, u, v below. Whoever includes this knows.
-vec4 pixelFootprint();
-
 // What sums of weights lose of an alpha of 1: 17 samples of 8 texels, each rounded by 2^-24.
 const float kAlphaRounding = 1e-5;
 const int kMostLevels = 16;   // after the first: of images of 65,536 texels a side
