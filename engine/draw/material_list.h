@@ -21,8 +21,8 @@ namespace luxo {
 /// findsFrames, findsPlaces, and groups but for their shadows.
 class MaterialList {
  public:
-  /// All must outlive this. The list is deferred where that is asked for, or shadows have to be found, and
-  /// possible.
+  /// All must outlive this. The list is deferred where DrawOptions::composition says. Throws Error(Scene)
+  /// where ambient light is occluded, or shaders send rays, and it cannot be.
   MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                DrawList& list);
 

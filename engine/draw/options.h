@@ -70,8 +70,9 @@ struct DrawOptions {
   bool doubles = true;
   /// Exact shading: what certified rays look at once more. Quality, not a skip.
   Audit audit;
-  /// Per pixel, 1 to kMaxSamples: 1 and 4 in one pass, others in as many. Auxiliary outputs always take 1,
-  /// in the pixel's centre; they are never averaged.
+  /// Per pixel, 1 to kMaxSamples: in as many passes; but 4 in one, if the device can, where nothing is
+  /// searched for: no exact surface, no shadow, nothing that is seen through, no occlusion, and no ray of a
+  /// shader. Auxiliary outputs always take 1, in the pixel's centre; they are never averaged.
   int samples = 1;
   /// Wireframes: lines behind surfaces of wires show, too. Else a surface of wires hides what lines are
   /// behind it, and nothing but lines; one that is seen through hides none.
@@ -82,7 +83,10 @@ struct DrawOptions {
   /// Exact shading, of a picture that an audit found wrong: shells four times as near, which every ray is
   /// taken to graze, and searches in double, where they can be.
   bool finerShells = false;
-  /// Deferred, whatever this says, where exact shadows are found, or something is seen through.
+  /// Deferred, whatever this says, where shadows have to be found, something is seen through, ambient light
+  /// is occluded, or shaders send rays. Fused where no light is shown, one pass takes several samples, or
+  /// there are more lights without shadows than a shader takes, or more materials than a found texel numbers;
+  /// shadows, occlusion and such rays are refused there.
   Composition composition = Composition::Auto;
   ShadowKinds shadows = ShadowKinds::All;  ///< others: the light reaches what stands behind something, too
   /// Texels along a side of lights' maps of casters (shadow/light_grid.h): how long shadows take, no more.
