@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One view of a scene, of a camera: what is drawn in it, what of that is on the device, the targets it is
-// drawn to, and what its searches have told and taught. All else is shared by views (scene_painter.h).
+// drawn to, and what its searches have told. All else is shared by views (scene_painter.h).
 #pragma once
 
 #include <cstdint>
@@ -25,6 +25,7 @@
 namespace luxo {
 
 /// Pictures of a view overlap on the device: none waits for the one before, but for a slot still in use.
+/// Refinement waits for each.
 class RenderView {
  public:
   RenderView(gpu::Context& context, Precision precision);

@@ -35,7 +35,8 @@ struct Picture {
 [[nodiscard]] DrawOptions drawOptions(const RenderSettings& settings);
 
 /// Keeps meshes, pipelines and buffers from picture to picture, so that the next one does less.
-/// Single-threaded.
+/// Single-threaded. Every submission is waited for: refinement reads what searches tell. Pictures overlap
+/// only where a RenderView is used alone.
 class Renderer {
  public:
   /// On the best device; throws Error(Device) when there is none.
@@ -76,7 +77,6 @@ class Renderer {
   [[nodiscard]] Snapshot snapshotOf(const Scene& scene);
   /// Draws one sample of each pixel into the view, refines it, and reads that back.
   void draw(const Snapshot& snapshot, const DrawOptions& options, FrameStatistics& statistics);
-  /// Answers what shaders ask of the scene, and lets them light their points anew, until they ask no more.
   /// Runs what `record` records, and waits.
   void submit(const Recording& record, FrameStatistics& statistics);
   /// Adds what the painter drew last to the mean of `before` others, and reads that back if it is complete.
