@@ -5,14 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/srgb.h"
 #include "luxo_grandpa/lamp.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
 #include "scenes/embedded_scenes.h"
+#include "scenes/gallery.h"
 #include "scenes/primitives.h"
 #include "support/picture.h"
 #include "surface/surface.h"
@@ -25,9 +29,16 @@ namespace {
 constexpr double kSame = 2e-6;
 /// Of triangles where corners are rounded to 1/256 of a pixel: fused light is that of a point beside the ray.
 constexpr double kSameBesideRay = 3e-4;
+/// Shaders magnify that more, with powers, waves and noise: the ice 7e-5.
+constexpr double kSameByShaders = 1e-4;
+/// And may jump: of gallery/spheres, whose shader casts rays of its own, at an edge of these, 1 pixel in 700.
+constexpr int kPixelsPerJump = 300;
 
 Scene sceneOf(std::string_view text) { return buildScene(parseScene(std::string(text), "scene")); }
 
+/// Light that has to know all that is in a picture is always deferred: what is seen through is put in order,
+/// and shadows, occlusion and rays of shaders start at what was found. So there is no fused form of scenes
+/// with layers to compare, and others are drawn without the shadows that are not known in closed form.
 class CompositionTest : public PictureTest {
  protected:
   Picture draw(const Snapshot& snapshot, Composition composition, Shading shading = Shading::Exact,
@@ -39,7 +50,8 @@ class CompositionTest : public PictureTest {
                                         .shadows = ShadowKinds::ClosedForms});
   }
 
-  void expectTheSame(const Snapshot& snapshot, Shading shading = Shading::Exact, int samples = 1) {
+  void expectTheSame(const Snapshot& snapshot, Shading shading = Shading::Exact, int samples = 1,
+                     double same = kSame, std::size_t jumps = 0) {
     const Picture fused = draw(snapshot, Composition::Fused, shading, samples),
                   deferred = draw(snapshot, Composition::Deferred, shading, samples);
     EXPECT_EQ(fused.statistics.count.deferred, 0u);
@@ -48,14 +60,23 @@ class CompositionTest : public PictureTest {
     EXPECT_EQ(fused.statistics.error.uncertifiedPx, deferred.statistics.error.uncertifiedPx);
     const auto a = fused.image.samples(), b = deferred.image.samples();
     ASSERT_EQ(a.size(), b.size());
-    double most = 0;
-    int mostCodes = 0;
+    std::vector<double> off;
+    std::vector<int> codesOff;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      most = std::max(most, std::abs(double{a[i]} - b[i]) / std::max(1.0, std::abs(double{a[i]})));
-      mostCodes = std::max(mostCodes, std::abs(int{encodeSrgb8(a[i])} - int{encodeSrgb8(b[i])}));
+      off.push_back(std::abs(double{a[i]} - b[i]) / std::max(1.0, std::abs(double{a[i]})));
+      codesOff.push_back(std::abs(int{encodeSrgb8(a[i])} - int{encodeSrgb8(b[i])}));
     }
-    EXPECT_LE(most, tolerance(kSame, kSameBesideRay));
-    EXPECT_LE(mostCodes, 1);
+    EXPECT_LE(mostBut(jumps, off), tolerance(same, kSameBesideRay));
+    EXPECT_LE(mostBut(jumps, codesOff), 1);
+  }
+
+ private:
+  /// The largest of them, but for so many.
+  template <class Number>
+  static Number mostBut(std::size_t count, std::vector<Number>& numbers) {
+    const auto most = numbers.begin() + static_cast<std::ptrdiff_t>(count);
+    std::ranges::nth_element(numbers, most, std::greater<>());
+    return *most;
   }
 };
 
@@ -64,8 +85,23 @@ TEST_F(CompositionTest, OfEveryBuiltInScene) {
     SCOPED_TRACE(embedded.name);
     const Scene scene = sceneOf(embedded.text);
     const Snapshot snapshot = takeSnapshot(scene, scene.settings().time, {200, 150});
-    if (!hasLayers(snapshot, {})) expectTheSame(snapshot);  // else always deferred
+    if (!hasLayers(snapshot, {})) expectTheSame(snapshot);
   }
+}
+
+TEST_F(CompositionTest, OfEverySceneOfTheGallery) {
+  constexpr PixelSize kSize{64, 36};
+  constexpr std::size_t kJumps = 3 * kSize.width * kSize.height / kPixelsPerJump;
+  int compared = 0;
+  for (const EmbeddedScene& embedded : galleryScenes()) {
+    SCOPED_TRACE(embedded.name);
+    const Scene scene = buildScene(galleryDescription(embedded));
+    const Snapshot snapshot = takeSnapshot(scene, scene.settings().time, kSize);
+    if (hasLayers(snapshot, {}) || occludesAmbient(snapshot, {}) || tracesRays(snapshot, {})) continue;
+    expectTheSame(snapshot, Shading::Exact, 1, kSameByShaders, kJumps);
+    ++compared;
+  }
+  EXPECT_GE(compared, 10);
 }
 
 TEST_F(CompositionTest, OfThePrimitives) {
