@@ -205,6 +205,8 @@ Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
 /// is seen the normal tells, or, where that is nearly across the ray, the triangle (shaders/lib/scene.glsl).
 void Caster::placeOnTriangle(const Beam& beam, const Root& root, Hit& hit) const {
   const Ray& ray = beam.ray;
+  // The cosine of 70 degrees: the rule of the pictures that this judges (seenFromFront). Chosen, not
+  // measured.
   constexpr double kTurningAway = 0.35;
   const Body& body = bodies_[hit.node];
   const SurfaceTriangles& triangles = *snapshot_.nodes[hit.node].surface.triangles();

@@ -9,11 +9,13 @@ namespace luxo::reference {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr double kSlack = 1e-3;        // of a domain: what interpolation may overshoot an edge by
-constexpr double kSamePointPx = 0.02;  // closer in space: one point, whatever the parameters say
-constexpr double kNeighbourhoodPx = 1e-3;
-constexpr double kMaxGrazing = 0.02;  // cosine below which a surface is not taken for its tangent plane
-constexpr int kSteps = 8;             // of a path along the surface
+constexpr double kSlack = 1e-3;            // of a domain: what interpolation may overshoot an edge by
+constexpr double kSamePointPx = 0.02;      // closer in space: one point, whatever the parameters say
+constexpr double kNeighbourhoodPx = 1e-3;  // kPointPx: points that are off by less are right
+/// Cosine below which a surface is not taken for its tangent plane, 89 degrees: what is farther off than 50
+/// times the neighbourhood is another layer. Chosen, not measured; of triangles, and across patches, alone.
+constexpr double kMaxGrazing = 0.02;
+constexpr int kSteps = 8;  // of a path along the surface
 
 bool holds(const Domain& domain, const Vec2& parameters) {
   const auto within = [](const Interval& range, double x) {

@@ -31,7 +31,9 @@ const int kCuts = 31;              // of a cell, each in half: a bit each
 #endif
 const int kMaxEvaluations = LUXO_EVALUATIONS;  // of a ray; a few dozen where it grazes, 4 elsewhere
 
-const float kBorder = 1e-4;        // of half a rectangle
+// Of half a rectangle: more than what floats lose of where a meeting is. A point's own meeting that is nearer to a border is
+// counted by both rectangles; were this too little, rounding might leave it to neither. Both are open, for rays. Chosen.
+const float kBorder = 1e-4;
 
 const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
 const float kMostRounding = 4e-3;  // pixels

@@ -12,7 +12,7 @@
 // algorithms", 2004). And as r is convex along a ray, the parabola of that value and slope with |d|^2 for its square is
 // above F: the ray meets the torus where that is negative.
 
-const int kMostSteps = 32;
+const int kMostSteps = 32;  // what they do not settle is open: fewer leave more to rays, and nothing wrong; chosen
 
 // Whether a ray keeps, from t to `end`, more than `off` inside of the ring, as r is convex along it, or outside.
 bool missesRing(vec3 q, vec3 d, float t, float end, float off) {
