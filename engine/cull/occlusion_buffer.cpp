@@ -125,13 +125,6 @@ class Depth {
 
 }  // namespace
 
-double certainArea(const PixelTriangle& t) {
-  const Vec3 a = t[1] - t[0], b = t[2] - t[0];
-  const double area = crossed(a, b),
-               narrow = kMovedPx * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
-  return std::abs(area) > narrow ? area : 0;
-}
-
 void OcclusionBuffer::clear(int width, const Rows& rows, const Vec2& sample) {
   if (width == width_ && rows == rows_) {
     // Most of a picture is behind nothing: what is as it was needs no writing.

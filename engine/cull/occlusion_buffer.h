@@ -20,10 +20,6 @@ namespace luxo {
 /// on the screen: the depth itself of parallel rays, -1 / depth of those through an eye.
 using PixelTriangle = std::array<Vec3, 3>;
 
-/// Twice its area, positive where y turns to x (clockwise on the screen, as y goes down); 0 where it is so
-/// narrow that a device, which moves corners (kMovedPx), may see it either way.
-[[nodiscard]] double certainArea(const PixelTriangle& triangle);
-
 /// Rows of a picture, from the top.
 struct Rows {
   int first = 0, end = 0;

@@ -2,6 +2,8 @@
 // How far a device may draw what it draws from where it is: single precision, and the raster's grid.
 #pragma once
 
+#include <span>
+
 #include "math/frustum.h"
 #include "scene/snapshot.h"
 
@@ -18,6 +20,11 @@ inline constexpr double kSnapPx = 1.0 / 32;
 /// are. Its grid is 1/256 (half a cell's diagonal, once more where clipping makes new corners), and float
 /// moves them by up to kOutlinePx (draw/exact_data.cpp).
 inline constexpr double kMovedPx = 1.0 / 64;
+
+/// Twice the area of a convex polygon that is projected (x and y in pixels, y down; z is not looked at),
+/// positive where it turns from x to y, clockwise on the screen; 0 where it is so narrow that a device, which
+/// moves corners by at most kMovedPx along x and y, may see it either way. Cost: three nanoseconds a corner.
+[[nodiscard]] double certainArea(std::span<const Vec3> corners);
 
 /// Lines are drawn one pixel wide, and every implementation picks its own pixels beside the ideal line.
 inline constexpr double kLinePx = 1;

@@ -3,8 +3,7 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
-#include <span>
+#include <utility>
 
 #include "cull/raster_slack.h"
 #include "draw/pixel_rows.h"
@@ -16,17 +15,11 @@ static_assert(kMovedPx == shared::kMovedPx);
 
 namespace {
 
-/// Twice the area of a polygon, signed; nothing where it may turn over. As corners move by m along x and y
-/// that changes by m times the lengths of its edges along both.
-std::optional<double> areaOf(std::span<const Vec3> polygon) {
-  double area = 0, change = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-    const Vec2 a = Vec2(p) / p.z, b = Vec2(q) / q.z;
-    area += a.x * b.y - a.y * b.x;
-    change += kMovedPx * (std::abs(b.x - a.x) + std::abs(b.y - a.y));
-  }
-  return std::abs(area) > change ? std::optional(area) : std::nullopt;
+/// certainArea() of corners as PixelRows has them.
+template <class Corners>
+double areaOf(Corners polygon) {
+  for (Vec3& corner : polygon) corner /= corner.z;
+  return certainArea(polygon);
 }
 
 }  // namespace
@@ -58,19 +51,19 @@ DrawnFacing::Side DrawnFacing::side(std::uint32_t firstIndex) const {
     shows = shows && shows_[corner];
     inFront = inFront && corners_[corner].z > 0;
   }
-  std::optional<double> area;
+  double area = 0;
   if (inFront) {
     area = areaOf(triangle);
-    if (!area) return Side::Either;
+    if (area == 0) return Side::Either;
   }
   if (!shows) {
-    const std::vector<Vec3> seen = clipped({triangle.begin(), triangle.end()}, size_);
+    std::vector<Vec3> seen = clipped({triangle.begin(), triangle.end()}, size_);
     if (seen.empty()) return Side::Front;  // of nothing
-    area = areaOf(seen);
-    if (!area) return Side::Either;
+    area = areaOf(std::move(seen));
+    if (area == 0) return Side::Either;
   }
   // y leads down: counter-clockwise areas are below 0.
-  return (*area < 0) != mirrored_ ? Side::Front : Side::Back;
+  return (area < 0) != mirrored_ ? Side::Front : Side::Back;
 }
 
 }  // namespace luxo

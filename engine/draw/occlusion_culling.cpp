@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cull/raster_slack.h"
 #include "draw/draw_list.h"
 #include "draw/exact_data.h"
 #include "math/sampling.h"
