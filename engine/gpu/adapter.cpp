@@ -89,6 +89,7 @@ std::string tooLow(const VkPhysicalDeviceLimits& limits) {
       {limits.maxPerStageDescriptorStorageBuffers, kStageStorageBuffers,
        "maxPerStageDescriptorStorageBuffers"},
       {limits.maxDescriptorSetStorageBuffers, kStageStorageBuffers, "maxDescriptorSetStorageBuffers"},
+      {limits.maxFragmentCombinedOutputResources, kFragmentOutputs, "maxFragmentCombinedOutputResources"},
       {limits.subPixelPrecisionBits, kSubpixelBits, "subPixelPrecisionBits"}};
   for (const auto& [limit, least, name] : needed)
     if (limit < least) return fmt::format("its limit {} is {}, below {}", name, limit, least);

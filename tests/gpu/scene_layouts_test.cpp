@@ -5,11 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "draw/scene_programs.h"
 #include "gpu/device.h"
 #include "support/gpu_fixture.h"
+#include "support/spirv.h"
+#include "surface/caster_code.h"
+#include "surface/catalogue.h"
 
 namespace luxo::test {
 namespace {
@@ -38,6 +43,46 @@ TEST_F(SceneLayoutsTest, AStageReadsNoMoreThanDevicesAreAskedFor) {
   }
   EXPECT_EQ(buffers, gpu::kStageStorageBuffers);
   EXPECT_LE(textures, 16U) << "all that Vulkan promises";
+}
+
+// Of the fragments that write most: points of formulas with all that lights them later, what is seen through,
+// and, of each, the faults of a material's shader.
+TEST_F(SceneLayoutsTest, AFragmentWritesNoMoreThanDevicesAreAskedFor) {
+  using enum Form;
+  SurfaceCodes codes;
+  const Surface surface = makeSurface("klein");
+  const SurfaceCodePtr formula = codes.get(surface.patches()[0].function, 0),
+                       caster = casterCode(codes, surface, {}).code;
+  const auto shaded = [](const std::string& text) {
+    return Paint::of(
+        {.shader = std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}})});
+  };
+  const Paint clear = shaded("#pragma luxo opacity\nvec4 material(Point p) { return vec4(p.normal, 0.5); }"),
+              mirror = shaded("vec4 material(Point p) { return vec4(trace(p.normal).color, 1.0); }");
+  std::vector<DrawState> states = {
+      {.form = Fused, .pattern = clear, .surface = formula, .grazing = true},
+      {.form = FoundWithParameters,
+       .pattern = clear,
+       .footprint = true,
+       .frame = true,
+       .surface = formula,
+       .grazing = true},
+      {.form = FoundWithParameters, .footprint = true, .frame = true, .byRays = true},
+      {.form = Shade, .pattern = mirror, .shadows = true},
+      {.form = ShadeLayers, .pattern = clear},
+      {.form = BlendLayers},
+      {.output = Output::Depth, .form = BlendLayers},
+      {.form = LayersByRays, .details = true},
+      {.shading = Shading::Gouraud, .form = LayerAgain},
+      {.form = LayerLightMap}};
+  for (const Form form :
+       {MeshPlace, LayerPlace, Shadow, Transmittance, LayerShadow, LayerTransmittance, Layer})
+    states.push_back({.form = form, .details = form == Layer, .surface = caster});
+  ScenePrograms programs(context());
+  programs.prepare(states);
+  std::size_t most = 0;
+  for (const DrawState& state : states) most = std::max(most, outputsOf(programs.of(state).fragment));
+  EXPECT_EQ(most, gpu::kFragmentOutputs);
 }
 
 }  // namespace
