@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "cull/cull.h"
-#include "draw/draw_list.h"
 #include "luxo_grandpa/lamp.h"
 #include "support/picture.h"
 #include "surface/catalogue.h"
@@ -111,17 +109,12 @@ Scene tenThousandLamps() {
 
 // Five shapes at up to 9 levels, which are a root of 2 apart; of the rods, which show their front alone, and
 // of the shade two sides each; and, as above, what the picture's edge cuts by itself.
-TEST(Crowds, TenThousandLampsAreAtMost150Draws) {
-  const Snapshot snapshot = takeSnapshot(tenThousandLamps(), 21, {1280, 720});
-  Geometry geometry;
-  const DrawList list = listDraws(snapshot, cull(snapshot), {}, geometry);
-  std::uint64_t draws = 0, instances = 0;
-  for (const DrawBatch& batch : list.opaque) {
-    draws += std::max<std::size_t>(batch.parts.size(), 1);
-    instances += batch.instanceCount;
-  }
-  EXPECT_GT(instances, 60'000U);
-  EXPECT_LE(draws, 150U);
+TEST_F(InstancesTest, TenThousandLampsAreAtMost150Draws) {
+  const Picture picture =
+      renderer().render(takeSnapshot(tenThousandLamps(), 21, {1280, 720}), {.audit = {AuditExtent::None}});
+  EXPECT_GT(picture.statistics.count.instances, 60'000U);
+  EXPECT_LE(picture.statistics.count.drawCalls, 150U);
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
 }
 
 // Beyond so many nodes large ones share draws, too: what 240 of them add are levels and materials, of which
