@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/accumulation.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -36,29 +35,6 @@ std::vector<Vec2> samplePattern(int samples) {
   }
   for (Vec2& point : points) point -= mean;
   return points;
-}
-
-void addPass(FrameStatistics& picture, const FrameStatistics& pass) {
-  if (picture.count.passes == 0) {
-    addTimes(picture.ms, pass.ms);
-    picture.count = pass.count;
-  } else {
-    addCost(picture, pass);
-    for (const auto count : {&FrameCounts::drawCalls, &FrameCounts::instances, &FrameCounts::triangles,
-                             &FrameCounts::vertices, &FrameCounts::deferred, &FrameCounts::shadowPasses,
-                             &FrameCounts::layerPoints, &FrameCounts::tracedRays})
-      picture.count.*count += pass.count.*count;
-  }
-
-  FrameError& error = picture.error;
-  error.tolerancePx = pass.error.tolerancePx;
-  error.boundPx = std::max(error.boundPx, pass.error.boundPx);
-  error.residualMaxPx = std::max(error.residualMaxPx, pass.error.residualMaxPx);  // nothing is the least
-  for (const auto count :
-       {&FrameError::unconvergedPx, &FrameError::uncertifiedPx, &FrameError::resolvedByRaysPx,
-        &FrameError::layersMissing, &FrameError::shadowRaysPx, &FrameError::auditedPx,
-        &FrameError::auditFailedPx, &FrameError::auditUndecidedPx})
-    error.*count += pass.error.*count;
 }
 
 Accumulator::Accumulator(gpu::Context& context)

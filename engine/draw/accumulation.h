@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "draw/statistics.h"
 #include "gpu/context.h"
 #include "gpu/descriptor.h"
 #include "gpu/frame.h"
@@ -21,10 +20,6 @@ namespace luxo {
 /// area beyond it by less than 2 / samples^0.75, up to 256 samples. One sample is at the centre, and four
 /// are where Vulkan has them in one pass (standardSampleLocations).
 [[nodiscard]] std::vector<Vec2> samplePattern(int samples);
-
-/// Adds what a pass cost to what its picture has cost so far. Counts of nodes are those of the first pass, as
-/// they are about the scene; errors are the largest of any pass, pixels with errors the sum over all.
-void addPass(FrameStatistics& picture, const FrameStatistics& pass);
 
 /// The running mean of pictures, on the device, in float: linear and unclamped.
 class Accumulator {

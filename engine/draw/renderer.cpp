@@ -57,23 +57,6 @@ std::vector<gpu::Readback::Rows> rowsOf(std::span<const PixelPlace> pixels) {
   return rows;
 }
 
-/// Of a frame that shows what the one before it showed: everything that was done for that one is not done.
-FrameStatistics again(const FrameStatistics& before) {
-  FrameStatistics now{.error = before.error};
-  const FrameCounts& c = before.count;
-  now.count = {.nodes = c.nodes,
-               .drawn = c.drawn,
-               .culledFrustum = c.culledFrustum,
-               .culledSmall = c.culledSmall,
-               .culledBackface = c.culledBackface,
-               .culledLights = c.culledLights,
-               .culledHidden = c.culledHidden,
-               .culledTrianglesFrustum = c.culledTrianglesFrustum,
-               .culledTrianglesBackface = c.culledTrianglesBackface,
-               .tooLarge = c.tooLarge};
-  return now;
-}
-
 }  // namespace
 
 DrawOptions drawOptions(const RenderSettings& settings) {
@@ -129,7 +112,7 @@ std::optional<Picture> Renderer::render(const Snapshot& snapshot, const DrawOpti
   FrameStatistics& statistics = picture.statistics;
   if (options.skips.unchanged && shown_ && shown_->snapshot == snapshot && shown_->options == options) {
     if (!goesOn(0)) return std::nullopt;
-    statistics = again(shown_->statistics);
+    statistics = shownAgain(shown_->statistics);
     const Stopwatch reading;
     FrameError measured;  // as it was
     picture.image = readPicture(snapshot, options, measured);

@@ -25,9 +25,6 @@ struct FrameTimes {
   std::vector<PassTime> passes = {};  ///< of gpu, in the order of the first ones; empty without timestamps
 };
 
-/// All but `total`, and what is not of the drawing.
-void addTimes(FrameTimes& sum, const FrameTimes& times);
-
 struct FrameCounts {
   std::uint64_t nodes = 0;  ///< with a surface, visible in the scene
   std::uint64_t drawn = 0;
@@ -87,5 +84,13 @@ struct FrameStatistics {
 /// Adds the time and the work of something drawn before, or once more, for the same picture: not what it
 /// shows.
 void addCost(FrameStatistics& picture, const FrameStatistics& other);
+
+/// Adds what a pass cost to what its picture, of several, has cost so far. Counts of nodes are those of the
+/// first pass, as they are about the scene; errors are the largest of any pass, pixels with errors the sum
+/// over all.
+void addPass(FrameStatistics& picture, const FrameStatistics& pass);
+
+/// Of a frame that shows what the one before it showed: all that was done for that one is not done.
+[[nodiscard]] FrameStatistics shownAgain(const FrameStatistics& before);
 
 }  // namespace luxo

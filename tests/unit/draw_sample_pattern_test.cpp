@@ -69,28 +69,5 @@ TEST(SamplePattern, EveryBeginningIsSpread) {
     EXPECT_LT(discrepancy({all.begin(), all.begin() + n}), 3 / std::pow(n, 0.75)) << n;
 }
 
-TEST(Passes, AddUpInTheirPicture) {
-  FrameStatistics picture, pass;
-  pass.ms = {.total = 9, .cull = 1, .gpu = 4};
-  pass.count = {.nodes = 7, .drawn = 5, .culledSmall = 2, .triangles = 10, .submits = 1, .passes = 2};
-  pass.error = {.tolerancePx = 0.5, .boundPx = 0.4, .unconvergedPx = 3};
-  addPass(picture, pass);
-  pass.count.drawn = 6;
-  pass.count.culledSmall = 1;
-  pass.error = {.tolerancePx = 0.5, .boundPx = 0.3, .residualMaxPx = 1e-4, .unconvergedPx = 5};
-  addPass(picture, pass);
-  EXPECT_EQ(picture.ms.cull, 2);
-  EXPECT_EQ(picture.ms.gpu, 8);
-  EXPECT_EQ(picture.ms.total, 0) << "the clock on the wall is its owner's to read";
-  EXPECT_EQ(picture.count.nodes, 7u);
-  EXPECT_EQ(picture.count.drawn + picture.count.culledSmall, 7u);
-  EXPECT_EQ(picture.count.triangles, 20u);
-  EXPECT_EQ(picture.count.submits, 2u);
-  EXPECT_EQ(picture.count.passes, 4u);
-  EXPECT_EQ(picture.error.boundPx, 0.4);
-  EXPECT_EQ(picture.error.residualMaxPx, 1e-4);
-  EXPECT_EQ(picture.error.unconvergedPx, 8u);
-}
-
 }  // namespace
 }  // namespace luxo
