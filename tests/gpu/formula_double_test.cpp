@@ -4,10 +4,9 @@
 #include "base/error.h"
 #include "formula/glsl.h"
 #include "formula/tape.h"
-#include "gpu/barrier.h"
-#include "gpu/frame.h"
 #include "gpu/pipeline.h"
 #include "gpu/shader_compiler.h"
+#include "gpu/whole_target.h"
 #include "luxo/shaders/sources.h"
 #include "luxo/shaders/test_descriptors_vert.h"
 #include "math/vec.h"
@@ -26,6 +25,7 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +34,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t kWidth = 256;
-constexpr std::size_t kOutputs = 9;
+constexpr std::size_t kOutputs = 9, kTargets = 5;
 
 constexpr std::string_view kFragment = R"(#version 460
 #extension GL_GOOGLE_include_directive : require
@@ -42,18 +42,19 @@ constexpr std::string_view kFragment = R"(#version 460
 #include "lib/double_math.glsl"
 layout(scalar, set = 0, binding = 0) readonly buffer Points { dvec2 points[]; };
 layout(scalar, set = 0, binding = 1) readonly buffer Parameters { double parameters[]; };
-layout(scalar, set = 0, binding = 2) buffer Results { dvec3 results[]; };
-layout(location = 0) out vec4 color;
+layout(location = 0) out uvec4 results[5];  // two doubles each
 double parameterAt(uint k) { return parameters[k]; }
 #include "formula"
+uvec4 bitsOf(double a, double b) { return uvec4(unpackDouble2x32(a), unpackDouble2x32(b)); }
 void main() {
-  uint i = uint(gl_FragCoord.y) * 256 + uint(gl_FragCoord.x);
+  dvec2 p = points[uint(gl_FragCoord.y) * 256 + uint(gl_FragCoord.x)];
   dvec3 a, b, c;
-  formula(points[i].x, points[i].y, a, b, c);
-  results[3 * i] = a;
-  results[3 * i + 1] = b;
-  results[3 * i + 2] = c;
-  color = vec4(0);
+  formula(p.x, p.y, a, b, c);
+  results[0] = bitsOf(a.x, a.y);
+  results[1] = bitsOf(a.z, b.x);
+  results[2] = bitsOf(b.y, b.z);
+  results[3] = bitsOf(c.x, c.y);
+  results[4] = bitsOf(c.z, 0);
 }
 )";
 
@@ -79,18 +80,15 @@ class FormulaDoubleTest : public test::GpuTest {
     sources.push_back({"formula", glsl});
     const auto shader = gpu::ShaderCompiler(std::filesystem::path())
                             .compile({.source = {"test.frag", kFragment}, .includes = sources});
-    constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-    const gpu::DescriptorLayout layout(context(), {{}, {}, {}});
-    const gpu::GraphicsPipeline pipeline(context(), {.name = "formula",
-                                                     .vertexShader = luxo_test_descriptors_vert,
-                                                     .fragmentShader = shader.spirv,
-                                                     .colors = {{kFormat}},
-                                                     .setLayouts = {layout}});
+    constexpr VkFormat kFormat = VK_FORMAT_R32G32B32A32_UINT;
+    const gpu::DescriptorLayout layout(context(), {{}, {}});
+    const gpu::GraphicsPipeline pipeline(context(),
+                                         {.name = "formula",
+                                          .vertexShader = luxo_test_descriptors_vert,
+                                          .fragmentShader = shader.spirv,
+                                          .colors = std::vector<gpu::ColorAttachment>(kTargets, {kFormat}),
+                                          .setLayouts = {layout}});
     const VkExtent2D extent{kWidth, static_cast<std::uint32_t>((points.size() + kWidth - 1) / kWidth)};
-    gpu::Texture target(context(), {.extent = extent,
-                                    .format = kFormat,
-                                    .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
-                                    .name = "nothing"});
     std::vector<Vec2> padded = points;
     padded.resize(std::size_t{extent.width} * extent.height);
     parameters.push_back(0);  // a buffer is never empty
@@ -101,38 +99,23 @@ class FormulaDoubleTest : public test::GpuTest {
       return buffer;
     };
     const gpu::Buffer pointBuffer = bufferOf(padded), parameterBuffer = bufferOf(parameters);
-    gpu::Buffer resultBuffer(context(), {.size = padded.size() * sizeof(Results::value_type),
-                                         .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                         .memory = gpu::MemoryUse::Readback});
 
-    gpu::FrameRing frames(context());
-    const VkCommandBuffer commands = frames.begin();
-    gpu::use(commands, {{target, gpu::Use::ColorAttachment, gpu::Contents::Discard},
-                        {resultBuffer, gpu::Use::StorageWrite}});
-    const VkRenderingAttachmentInfo color{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                          .imageView = target.view(),
-                                          .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                          .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
-                                          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
-    const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                    .renderArea = {.extent = extent},
-                                    .layerCount = 1,
-                                    .colorAttachmentCount = 1,
-                                    .pColorAttachments = &color};
-    vkCmdBeginRendering(commands, &rendering);
-    gpu::setViewport(commands, extent);
-    pipeline.bind(commands);
-    pipeline.bindSet(commands, 0,
-                     frames.descriptors().write(layout, {pointBuffer, parameterBuffer, resultBuffer}));
-    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-    vkCmdSetFrontFace(commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    vkCmdDraw(commands, 3, 1, 0, 0);
-    vkCmdEndRendering(commands);
-    gpu::use(commands, {{resultBuffer, gpu::Use::HostRead}});
-    frames.wait(frames.submit());
+    std::vector<gpu::Readback> drawn = gpu::drawWholeTargets(
+        context(), pipeline, extent, kFormat, kTargets,
+        [&](gpu::FrameRing& frames, VkCommandBuffer commands) {
+          pipeline.bindSet(commands, 0, frames.descriptors().write(layout, {pointBuffer, parameterBuffer}));
+        });
 
     Results results(points.size());
-    std::memcpy(results.data(), resultBuffer.read().data(), results.size() * sizeof(Results::value_type));
+    for (std::size_t k = 0; k < kTargets; ++k) {
+      const std::span<const std::byte> texels = drawn[k].bytes();
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        std::array<double, 2> two;
+        std::memcpy(two.data(), texels.data() + i * sizeof two, sizeof two);
+        results[i][2 * k] = two[0];
+        if (2 * k + 1 < kOutputs) results[i][2 * k + 1] = two[1];
+      }
+    }
     return results;
   }
 };

@@ -9,6 +9,7 @@
 #include <random>
 #include <utility>
 
+#include "math/sampling.h"
 #include "support/equation_names.h"
 #include "support/verified_picture.h"
 #include "surface/catalogue.h"
@@ -126,8 +127,7 @@ TEST_F(ExactEquation, ToriOfAllKinds) {
 TEST_F(ExactEquation, EyeBesideATorus) {
   const Surface ring = torus(1, 0.4);
   for (int k = 0; k < 12; ++k) {
-    const double u = std::fmod(0.1 + k / 1.32471795724474602596, 1.0), v = k / 12.0,
-                 distance = k % 2 ? 0.05 : 0.025;
+    const double u = quasirandomPoint(k, Vec2(0.1)).x, v = k / 12.0, distance = k % 2 ? 0.05 : 0.025;
     const Vec3 point = ring.position(0, u, v), normal = ring.normal(0, u, v);
     const Vec3 along = unit(glm::cross(normal, Vec3(std::sin(7 * u), 1, std::cos(7 * u))));
     const Vec3 eye = point + distance * normal;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "math/sampling.h"
 #include "support/verified_picture.h"
 #include "surface/catalogue.h"
 
@@ -136,8 +137,7 @@ TEST_F(ExactPlane, EdgesHaveTheirSamples) {
   for (int y = 0; y < kSize.height; ++y)
     for (int x = 0; x < kSize.width; ++x) {
       int samples = 0;
-      for (const Vec2& at : {Vec2(0.375, 0.125), Vec2(0.875, 0.375), Vec2(0.125, 0.625), Vec2(0.625, 0.875)})
-        samples += inside(Vec2(x, y) + at);
+      for (const Vec2& at : sampleLocations(4)) samples += inside(Vec2(x, y) + at);
       // A mean of four pictures: each moves it by less than 1e-7 (draw/accumulation.h).
       EXPECT_NEAR(colorAt(color, x, y).y, samples / 4.0, 4e-7) << x << ", " << y;
       partly += samples % 4 != 0;
