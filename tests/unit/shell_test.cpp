@@ -10,6 +10,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -358,15 +359,23 @@ TEST(Shell, OccludersGoOnFromPatchToPatch) {
   }
 }
 
-// Lid, body, spout and handle are not joined to each other. The bottom goes on in the body, but around a bend
-// that facets of coarse shells make a sharp edge.
+// Body, lid, handle and spout are not joined to each other; each goes on from patch to patch. So does the lid
+// in its knob, but around a bend that facets of coarse shells make a sharp edge: that may be a slab of its
+// own.
 TEST(Shell, EachPartOfTheTeapotIsASlab) {
   const Surface teapot = makeSurface("teapot");
-  for (const auto& [tolerance, slabs] : {std::pair{0.01, 5u}, std::pair{0.002, 4u}}) {
+  for (const double tolerance : {0.01, 0.002}) {
+    SCOPED_TRACE(tolerance);
     const Shell shell = shellOf(teapot, tolerance * sizeOf(teapot));
     EXPECT_TRUE(shell.occluder.proven);
-    EXPECT_EQ(std::set(shell.occluder.slabOf.begin(), shell.occluder.slabOf.end()).size(), slabs)
-        << tolerance;
+    const std::span slabs(shell.occluder.slabOf);  // of patches as surface/teapot.h has them
+    ASSERT_EQ(slabs.size(), 32U);
+    const std::span body = slabs.subspan(0, 16), lid = slabs.subspan(16, 4), knob = slabs.subspan(20, 4),
+                    handle = slabs.subspan(24, 4), spout = slabs.subspan(28, 4);
+    for (const std::span part : {body, lid, knob, handle, spout})
+      EXPECT_EQ(std::ranges::count(part, part[0]), std::ssize(part));
+    EXPECT_EQ(std::set({body[0], lid[0], handle[0], spout[0]}).size(), 4U);
+    for (const std::span other : {body, handle, spout}) EXPECT_NE(knob[0], other[0]);
   }
 }
 
@@ -463,7 +472,7 @@ TEST(Shell, FlatSurfacesAreAsThinAsTheMargin) {
         ->offset;
   };
   EXPECT_EQ(shellOf(flat, 0.01).bound, 0);
-  EXPECT_EQ(shellOf(flat, 0.01).triangleCount(), 12u);
+  EXPECT_LE(shellOf(flat, 0.01).triangleCount(), 2U * 6) << "a box: nothing is gained by more";
   EXPECT_NEAR(shellOf(flat, 0.01).offset, std::sqrt(3.0) * (0.02 / 64 + 5e-6), 1e-12);
   EXPECT_NEAR(offsetOf(0.01, 0.5), std::sqrt(3.0) * (0.01 + 5e-6), 1e-12);
   // A rim deviates sideways, by nearly the bound.
