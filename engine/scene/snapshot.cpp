@@ -421,16 +421,12 @@ struct Instant {
   std::vector<double> parameters;
 };
 
-/// Whether both draw the same mesh with the same pipeline, wherever it is.
-bool sameThing(const SnapshotNode& a, const SnapshotNode& b) {
-  return a.id == b.id && a.number == b.number && a.surface.identity() == b.surface.identity() &&
-         a.material == b.material && a.segments == b.segments;
-}
-
 }  // namespace
 
 bool operator==(const SnapshotNode& a, const SnapshotNode& b) {
-  return sameThing(a, b) && a.worldFromObject == b.worldFromObject && a.parameters == b.parameters;
+  return a.id == b.id && a.number == b.number && a.surface.identity() == b.surface.identity() &&
+         a.material == b.material && a.segments == b.segments && a.worldFromObject == b.worldFromObject &&
+         a.parameters == b.parameters;
 }
 
 Snapshot takeSnapshot(const Scene& scene, double timeSeconds, PixelSize size, const Camera& camera,
@@ -507,23 +503,6 @@ Box framingOf(const Snapshot& snapshot) {
     }
   }
   return box;
-}
-
-Changes changesSince(const Snapshot& previous, const Snapshot& next) {
-  Changes changes{.view = !(previous.view == next.view),
-                  .lights = previous.lights != next.lights,
-                  .materials = previous.materials != next.materials,
-                  .environment = previous.background != next.background || previous.ambient != next.ambient ||
-                                 previous.blendOrder != next.blendOrder ||
-                                 previous.ambientOcclusion != next.ambientOcclusion};
-  changes.structure = !std::ranges::equal(previous.nodes, next.nodes, sameThing);
-  for (std::uint32_t i = 0; i < next.nodes.size(); ++i) {
-    if (changes.structure || previous.nodes[i].worldFromObject != next.nodes[i].worldFromObject)
-      changes.moved.push_back(i);
-    if (changes.structure || previous.nodes[i].parameters != next.nodes[i].parameters)
-      changes.deformed.push_back(i);
-  }
-  return changes;
 }
 
 }  // namespace luxo

@@ -125,21 +125,4 @@ struct WholeLight {
 /// clips what lies outside its depth range.
 [[nodiscard]] Box framingOf(const Snapshot& snapshot);
 
-/// What differs between two moments of one scene: consumers upload only that.
-struct Changes {
-  bool structure =
-      false;  ///< nodes came, went or changed surface, material or segments: everything below lists all
-  std::vector<std::uint32_t> moved;     ///< indices into next.nodes whose transform differs
-  std::vector<std::uint32_t> deformed;  ///< indices into next.nodes whose surface parameters differ
-  bool view = false, lights = false, materials = false,
-       environment = false;  ///< environment: background, ambient, blendOrder, ambientOcclusion
-
-  [[nodiscard]] bool any() const {
-    return structure || !moved.empty() || !deformed.empty() || view || lights || materials || environment;
-  }
-};
-
-/// Exact comparison; changesSince(a, b).any() == (a != b).
-[[nodiscard]] Changes changesSince(const Snapshot& previous, const Snapshot& next);
-
 }  // namespace luxo
