@@ -85,8 +85,6 @@ class Context {
   [[nodiscard]] VkSampleCountFlagBits supportedSamples(std::uint32_t wanted) const noexcept;
 
   [[nodiscard]] Counters counters() const;
-  /// Zero without validation.
-  [[nodiscard]] std::uint64_t validationCount() const { return log_->count(); }
 
   /// Blocks until the device has nothing to do, then destroys what was dropped.
   void waitIdle();

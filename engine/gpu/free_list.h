@@ -23,7 +23,6 @@ class FreeList {
   [[nodiscard]] bool unused() const noexcept { return freeBytes_ == size_; }
   [[nodiscard]] std::uint64_t size() const noexcept { return size_; }
   [[nodiscard]] std::uint64_t freeBytes() const noexcept { return freeBytes_; }
-  [[nodiscard]] std::size_t freeRanges() const noexcept { return ranges_.size(); }
 
  private:
   std::uint64_t size_;

@@ -27,7 +27,6 @@ struct ShaderVariable {
   std::vector<ShaderStage> stages = {};  ///< of two stages together: which of them have it, in their order
 
   [[nodiscard]] std::uint32_t elements() const;  ///< of the array, 1 of none
-  [[nodiscard]] bool runtimeSized() const { return !array.empty() && array.front() == 0; }
 };
 
 struct ShaderBlock {

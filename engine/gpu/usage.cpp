@@ -30,42 +30,6 @@ bool applies(const Scope& scope, ResourceKind kind) {
 
 }  // namespace
 
-const char* useName(Use use) noexcept {
-  switch (use) {
-    case Use::ColorAttachment:
-      return "ColorAttachment";
-    case Use::ResolveTarget:
-      return "ResolveTarget";
-    case Use::DepthAttachment:
-      return "DepthAttachment";
-    case Use::TransferSource:
-      return "TransferSource";
-    case Use::TransferDestination:
-      return "TransferDestination";
-    case Use::SampledFragment:
-      return "SampledFragment";
-    case Use::VertexBuffer:
-      return "VertexBuffer";
-    case Use::IndexBuffer:
-      return "IndexBuffer";
-    case Use::IndirectBuffer:
-      return "IndirectBuffer";
-    case Use::UniformRead:
-      return "UniformRead";
-    case Use::StorageRead:
-      return "StorageRead";
-    case Use::StorageWrite:
-      return "StorageWrite";
-    case Use::ComputeStorage:
-      return "ComputeStorage";
-    case Use::HostRead:
-      return "HostRead";
-    case Use::Present:
-      return "Present";
-  }
-  return "?";
-}
-
 Scope scopeOf(Use use) noexcept {
   switch (use) {
     case Use::ColorAttachment:

@@ -32,8 +32,6 @@ enum class Use {
 
 inline constexpr Use kLastUse = Use::Present;
 
-[[nodiscard]] const char* useName(Use use) noexcept;
-
 /// What becomes of what the resource holds.
 enum class Contents {
   Keep,
