@@ -195,10 +195,6 @@ class Caster {
   [[nodiscard]] static Vec3 towardLight(const SnapshotLight& light, const Hit& hit);
 
   [[nodiscard]] const Snapshot& snapshot() const { return snapshot_; }
-  /// Of a node (an index into Snapshot::nodes), as its material has it.
-  [[nodiscard]] const PlacedShape& shape(std::uint32_t node) const { return bodies_[node].shape; }
-  [[nodiscard]] Facing facing(std::uint32_t node) const { return bodies_[node].facing; }
-  [[nodiscard]] bool mirrored(std::uint32_t node) const { return bodies_[node].mirrored; }
 
  private:
   struct Body {

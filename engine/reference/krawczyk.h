@@ -17,7 +17,6 @@ struct Ball {
   [[nodiscard]] double lo() const { return center - radius; }
   [[nodiscard]] double hi() const { return center + radius; }
   [[nodiscard]] double magnitude() const { return std::abs(center) + radius; }
-  [[nodiscard]] bool excludesZero() const { return std::abs(center) > radius; }
 };
 
 /// a . p + offset over everything p may be, rounding included.
