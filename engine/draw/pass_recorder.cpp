@@ -63,13 +63,10 @@ constexpr VkClearDepthStencilValue kInfinitelyFar{0.0f, 0};  // reversed
 
 void PassRecorder::record(const Pass& pass) {
   const gpu::Label label(context_, commands_, pass.name);
-  if (pass.drawsLightMap) {
-    drawLightMap(pass.group);
-    return;
-  }
   if (pass.clearsLayers) view_.layerLists().clear(commands_, pass.band.index);
   useTargets(pass);
   begin(pass);
+  if (pass.drawsLightMap) drawLightMap(pass.group);
   for (const DrawBatch& batch : pass.batches) draw(batch);
   for (const CasterDraw& caster : pass.casters) search(caster);
   const std::optional<Target> target =
@@ -107,7 +104,7 @@ void PassRecorder::useTargets(const Pass& pass) {
   ViewTargets& targets = view_.targets();
   std::vector<gpu::Usage> usages;
   if (pass.depth)
-    usages.push_back({targets.texture(Target::Depth), DepthAttachment, contentsOf(*pass.depth)});
+    usages.push_back({targets.texture(pass.depthTarget), DepthAttachment, contentsOf(*pass.depth)});
   else
     for (gpu::Buffer* buffer : view_.layerLists().buffers()) usages.push_back({*buffer, StorageWrite});
   for (const Attachment& color : pass.colors)
@@ -141,22 +138,24 @@ void PassRecorder::begin(const Pass& pass) {
     color.resolveImageView = targets.resolved()->view();
     color.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
   }
+  const gpu::Texture& depths = targets.texture(pass.depthTarget);
+  const VkExtent2D extent = depths.extent();
   const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = targets.texture(Target::Depth).view(),
+                                        .imageView = depths.view(),
                                         .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
                                         .loadOp = loadOf(pass.depth.value_or(Begin::Keep)),
                                         .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
                                         .clearValue = {.depthStencil = kInfinitelyFar}};
   const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {{0, 0}, targets.extent()},
+                                  .renderArea = {{0, 0}, extent},
                                   .layerCount = 1,
                                   .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
                                   .pColorAttachments = colors.data(),
                                   .pDepthAttachment = pass.depth ? &depth : nullptr};
   vkCmdBeginRendering(commands_, &rendering);
-  gpu::setViewport(commands_, targets.extent(), targets.guard());
-  const auto width = static_cast<std::int32_t>(targets.extent().width),
-             height = static_cast<std::int32_t>(targets.extent().height);
+  gpu::setViewport(commands_, extent, pass.depthTarget == Target::Depth ? targets.guard() : 1);
+  const auto width = static_cast<std::int32_t>(extent.width),
+             height = static_cast<std::int32_t>(extent.height);
   // Even rows: a square of four fragments is of one band.
   const auto rowOf = [&](std::uint32_t band) {
     return band == pass.band.count
@@ -323,19 +322,6 @@ void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
 /// Its faces, three in a row.
 void PassRecorder::drawLightMap(std::size_t group) {
   const LightMapDrawn& drawn = *view_.list().groups[group].map;
-  gpu::Texture& depths = view_.targets().texture(Target::LightDepth);
-  gpu::use(commands_, {{depths, gpu::Use::DepthAttachment, gpu::Contents::Discard}});
-  const VkRenderingAttachmentInfo depth{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                        .imageView = depths.view(),
-                                        .imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                        .loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR,
-                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                        .clearValue = {.depthStencil = kInfinitelyFar}};
-  const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                  .renderArea = {{0, 0}, depths.extent()},
-                                  .layerCount = 1,
-                                  .pDepthAttachment = &depth};
-  vkCmdBeginRendering(commands_, &rendering);
   const gpu::GraphicsPipeline& pipeline =
       pipelines_.get({.form = Form::LightDepth}, view_.targets().format());
   pipeline.bind(commands_);
@@ -348,8 +334,6 @@ void PassRecorder::drawLightMap(std::size_t group) {
     gpu::setViewport(commands_, VkRect2D{corner, {size, size}});
     for (const LightMapDrawn::Caster& caster : drawn.casters) drawIntoMap(pipeline, caster, face);
   }
-  vkCmdEndRendering(commands_);
-  ++statistics_.count.passes;
 }
 
 void PassRecorder::drawIntoMap(const gpu::GraphicsPipeline& pipeline, const LightMapDrawn::Caster& caster,

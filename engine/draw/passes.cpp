@@ -25,7 +25,11 @@ Opaque opaqueOf(const DrawList& list) {
 }
 
 Pass lightDepths(std::size_t group) {
-  return {.name = "light depths", .depth = Begin::Clear, .group = group, .drawsLightMap = true};
+  return {.name = "light depths",
+          .depth = Begin::Clear,
+          .depthTarget = Target::LightDepth,
+          .group = group,
+          .drawsLightMap = true};
 }
 
 /// Points are found, by searches and triangles or by rays, and then lit, by one group of lights after the

@@ -30,7 +30,8 @@ struct LayerBand {
 struct Pass {
   const char* name = "";
   std::vector<Attachment> colors;            ///< in the order of the fragment shaders' outputs
-  std::optional<Begin> depth = Begin::Keep;  ///< of Target::Depth; nothing: the pass does not test it
+  std::optional<Begin> depth = Begin::Keep;  ///< of depthTarget; nothing: the pass does not test it
+  Target depthTarget = Target::Depth;        ///< as large as the other targets
   std::vector<Target> reads;                 ///< sampled by its fragments
   bool searches = false;                     ///< its fragments write the view's feedback
   std::span<const DrawBatch> batches;        ///< drawn in this order

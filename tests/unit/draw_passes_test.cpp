@@ -210,6 +210,10 @@ TEST(Passes, EachStepComesBeforeWhatReadsIt) {
   for (const Pass& pass : passes) names.emplace_back(pass.name);
   ASSERT_EQ(names, (Names{"found", "openness", "shadows", "light depths", "transmittance", "shade",
                           "meshes again"}));
+  EXPECT_EQ(passes[3].depthTarget, Target::LightDepth);
+  EXPECT_EQ(passes[3].depth, Begin::Clear);
+  EXPECT_TRUE(passes[3].colors.empty() && passes[3].reads.empty());
+  for (const std::size_t other : {0, 2, 4, 5, 6}) EXPECT_EQ(passes[other].depthTarget, Target::Depth);
   EXPECT_EQ(passes[4].casters.size(), 2U);
   EXPECT_TRUE(passes[4].readsLightMap && !passes[2].readsLightMap);
   EXPECT_EQ(passes[4].reads, (std::vector{Target::Found, Target::Places, Target::LightDepth}));
