@@ -17,6 +17,8 @@ namespace luxo {
 /// it held.
 enum class Begin { Clear, Keep };
 
+/// How colours join those that are there is their draw's (ScenePipelines), not the pass's: shadows of casters
+/// are united in a target where points of rays, in the same pass, replace what they find.
 struct Attachment {
   Target target = Target::Color;
   Begin begin = Begin::Keep;
