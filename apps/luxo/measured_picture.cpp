@@ -19,7 +19,7 @@ std::vector<WholeLight> lightsOnMeshes(const Snapshot& snapshot, const DrawOptio
   });
   std::vector<WholeLight> lights = wholeLights(withExactShadows(snapshot));
   const auto hasShadow = [](const WholeLight& whole) { return whole.light.hasShadow(); };
-  if (!meshes || lights.size() > kMostAlone || std::ranges::none_of(lights, hasShadow)) lights.clear();
+  if (!meshes || lights.size() > kMaxAlone || std::ranges::none_of(lights, hasShadow)) lights.clear();
   return lights;
 }
 

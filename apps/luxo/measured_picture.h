@@ -13,7 +13,7 @@ struct MeasuredFrame {
 };
 
 /// Of a picture with more lights what each of them gives meshes is not drawn, and not judged.
-inline constexpr std::size_t kMostAlone = 32;
+inline constexpr std::size_t kMaxAlone = 32;
 
 /// Draws colour, depth, position, normal, uv and id, one sample per pixel; where meshes of formulas are in
 /// shadow the light of each light alone, too, as wholeLights() of withExactShadows() has them. Errors as

@@ -23,9 +23,9 @@ namespace {
 using Kind = UniformControl::Kind;
 
 constexpr std::string_view kBlank = " \t\r";
-constexpr double kMostSteps = 1e6;
+constexpr double kMaxSliderSteps = 1e6;
 // What parameters are: numbers of scenes; and of these the whole numbers that floats count to.
-constexpr double kMostOfFloats = 1e18, kMostOfWhole = 16777216;
+constexpr double kMaxFloatNumber = 1e18, kMaxWholeNumber = 16777216;
 
 bool isWordLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -213,7 +213,7 @@ void readSlider(const Declaration& from, const TypeShape& shape, UniformControl&
   control.range = Interval{numbers[0], numbers[1]};
   if (shape.scalar != 'f') control.step = 1;
   if (numbers.size() < 3) return;
-  if (numbers[2] != std::floor(numbers[2]) || numbers[2] < 1 || numbers[2] > kMostSteps)
+  if (numbers[2] != std::floor(numbers[2]) || numbers[2] < 1 || numbers[2] > kMaxSliderSteps)
     from.refuse(tag.rest, fmt::format("{} is no number of steps", numbers[2]), hint);
   control.step = (numbers[1] - numbers[0]) / numbers[2];
   if (shape.scalar != 'f' && *control.step != std::floor(*control.step))
@@ -309,7 +309,7 @@ std::vector<UniformControl> uniformControls(const MaterialShader& shader,
       continue;
     }
     const auto isParameter = [&](double number) {
-      return std::abs(number) <= (shape.scalar == 'f' ? kMostOfFloats : kMostOfWhole);
+      return std::abs(number) <= (shape.scalar == 'f' ? kMaxFloatNumber : kMaxWholeNumber);
     };
     const bool isTurned = shape.columns == 1 && uniform.array.empty();
     control.initial = from.initialiser.empty() ? std::vector<double>(shape.rows, 0.0)

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // A file of presets has some hundred bytes for each.
-constexpr std::uintmax_t kMostBytes = 1 << 20;
+constexpr std::uintmax_t kMaxBytes = 1 << 20;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
   throw Error(ErrorKind::Scene, fmt::format("{}: {}", file.string(), why),
@@ -72,7 +72,7 @@ ShaderPresets readPresets(const std::string& shader) {
   std::error_code failure;
   if (!std::filesystem::exists(file, failure)) return {};
   if (!std::filesystem::is_regular_file(file, failure)) refuse(file, "it is no regular file");
-  if (std::filesystem::file_size(file, failure) > kMostBytes || failure)
+  if (std::filesystem::file_size(file, failure) > kMaxBytes || failure)
     refuse(file, "it has more than 1 MiB");
   const Json json = parsed(file);
   if (!json.is_object() || !json.contains("presets") || !json["presets"].is_object())

@@ -55,14 +55,14 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
   return parts;
 }
 
-constexpr double kMostOfQuantities = 1e18;  // as of all that scenes say
+constexpr double kMaxQuantity = 1e18;  // as of all that scenes say
 
 /// Where the text is a number it is one of that type.
 void requireType(const UniformControl& uniform, const std::string& text, const std::string& part) {
   const std::optional<double> number = finiteNumber(part);
   if (!number) return;
-  if (std::abs(*number) > kMostOfQuantities)
-    refuse(uniform, text, fmt::format("numbers are from -{0:g} to {0:g}", kMostOfQuantities), {});
+  if (std::abs(*number) > kMaxQuantity)
+    refuse(uniform, text, fmt::format("numbers are from -{0:g} to {0:g}", kMaxQuantity), {});
   const bool isWhole = *number == std::floor(*number);
   if (uniform.type.starts_with('b') && *number != 0 && *number != 1)
     refuse(uniform, text, fmt::format("it is of type {}", uniform.type), "give true or false");

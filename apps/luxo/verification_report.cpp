@@ -200,7 +200,7 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
     text += fmt::format(
         "unjudged   {} pixels are off in a light that nothing tells enough of (curved meshes that are seen "
         "through, or in the shadows of more than {} lights, or with ambient occlusion): they may be wrong\n",
-        v.color.unjudged, kMostAlone);
+        v.color.unjudged, kMaxAlone);
   text += fmt::format("psnr       {:.1f} dB linear, {:.1f} dB sRGB, off silhouettes\n", v.color.psnrLinear,
                       v.color.psnrSrgb);
   text += fmt::format("8 bit      {} pixels differ: {:.3g} of the covered\n", v.color.differing8,

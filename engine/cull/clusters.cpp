@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kShortGap = kClusterTriangles;
 
 /// A more uneven scale would leave the eye's place among the triangles off by more than a billionth.
-constexpr double kMostUneven = 1e3;
+constexpr double kMaxUneven = 1e3;
 
 /// Whether the triangles of clusters certainly show the face that is not drawn.
 class Facing {
@@ -27,12 +27,12 @@ class Facing {
     largest_ = largestStretch(place_.linear);
     // The product of all three, over the largest two at most.
     smallest_ = determinant / (largest_ * largest_) * (1 - 1e-6);
-    certain_ = faces != Faces::Both && largest_ < kMostUneven * smallest_;
+    certain_ = faces != Faces::Both && largest_ < kMaxUneven * smallest_;
     if (!certain_) return;
     const Mat3 objectFromEye = glm::inverse(place_.linear);
     const Vec3 toward = view.perspective() ? -place_.translation : Vec3(0, 0, 1);
     eye_ = Vec4(objectFromEye * toward, view.perspective() ? 1 : 0);
-    // Rounding of the inverse, below 2^-52 times the square of kMostUneven, and of the place.
+    // Rounding of the inverse, below 2^-52 times the square of kMaxUneven, and of the place.
     eyeSlack_ =
         1e-9 * glm::length(Vec3(eye_)) +
         1e-15 * eye_.w * (glm::length(view.eye) + glm::length(node.worldFromObject.translation)) / smallest_;

@@ -39,7 +39,7 @@ constexpr std::size_t kKeptPrograms = 16;
 
 /// Vertices of the first dispatch, in which what does not end is found out, and of others: as many as take a
 /// device less than the second after which systems end what it does, at the loops' bound of instructions.
-constexpr std::uint32_t kFirstVertices = 1024, kMostVertices = 65536;
+constexpr std::uint32_t kFirstVertices = 1024, kMaxVertices = 65536;
 
 /// Two ways to round a vertex: 2^-24 of each of the four terms of a product, twice.
 constexpr double kRounding = 0x1p-21;
@@ -148,7 +148,7 @@ class DeviceVertexMovement::Mover {
            {stateOf(Mat4(1), Mat4(1), 0, material), stateOf(modelView, projection, 0.7, material)});
     const auto count = static_cast<std::uint32_t>(vertices.positions.size());
     for (std::uint32_t first = 0; first < count;) {
-      const std::uint32_t some = std::min(count - first, first == 0 ? kFirstVertices : kMostVertices);
+      const std::uint32_t some = std::min(count - first, first == 0 ? kFirstVertices : kMaxVertices);
       submit(program, {first, some, count});
       std::uint32_t endless = 0;
       std::memcpy(&endless, readFaults_.read().data(), sizeof endless);

@@ -36,7 +36,7 @@ constexpr std::uint64_t kSmallTrianglePx = 8;
 constexpr std::uint64_t kManyTriangles = 1U << 15U;
 
 /// Of a pixel in the middle of the picture: searches for what is seen through leave to rays where single
-/// precision rounds away more than some thousandths of that (kMostRounding in shaders/lib/cell_ray.glsl).
+/// precision rounds away more than some thousandths of that (kMaxRounding in shaders/lib/cell_ray.glsl).
 /// Where rays are slanted, toward the corners, what they are off by is longer on the screen, by as much as
 /// they are longer than the axis. Outputs of geometry tell these points, which a thousandth of a pixel is the
 /// most for (kPointPx): rounding and what Newton's method leaves of it are as much each.

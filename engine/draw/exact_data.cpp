@@ -26,7 +26,7 @@ static_assert(4 * shared::kVaryings <= gpu::kVaryingComponents);
 /// of these or more is the formula's own: what that loses, as is measured, and the rest have to fit, too. (Of
 /// the teapot at 1024 x 1024 the sum is 9.5e-4, and the worst point 3.6e-4 off; of Klein's bottle 2.3e-4.)
 constexpr double kMaxRoundingPx = 6e-4, kPlacePart = 1.0 / 3;
-static_assert(static_cast<float>(kMaxRoundingPx + kExactTolerancePx) <= shared::kMostTolerancePx);
+static_assert(static_cast<float>(kMaxRoundingPx + kExactTolerancePx) <= shared::kMaxTolerancePx);
 /// As much as what float rounds away may turn the normal, radians, a few times over: colours are then right
 /// to a few millionths, 110 dB. Of what is at most that large, pixels, nobody counts them.
 constexpr double kMaxTurn = 4e-5, kSmallPx = 100;

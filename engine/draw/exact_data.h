@@ -41,7 +41,7 @@ inline constexpr double kDoubleTolerancePx = 1e-5;
                                                   const Shell& shell, GlslNumber number);
 
 /// Adds to the tolerance of a search in single precision what its formula loses in that, and no residual
-/// tells. Where that is too much (kMostTolerancePx) nothing it finds is certified: for devices without
+/// tells. Where that is too much (kMaxTolerancePx) nothing it finds is certified: for devices without
 /// doubles.
 void addFormulaRounding(const View& view, const SnapshotNode& node, const Shell& shell,
                         shared::ExactInstance& instance);

@@ -33,7 +33,7 @@ constexpr std::string_view kPattern = "pattern", kSurface = "surface", kCurvatur
 // A driver copies functions to where they are called, and its time grows faster than what that makes.
 // Measured on llvmpipe: 17,000 instructions take 3 s, 34,000 11 s, 68,000 37 s; those of apps/scenes/gallery
 // have at most 656.
-constexpr std::uint64_t kMostInstructions = 32'768, kMostVariableBytes = 65'536;
+constexpr std::uint64_t kMaxShaderInstructions = 32'768, kMaxVariableBytes = 65'536;
 // llvmpipe keeps the masks of 80 branches in each other, and draws what is deeper wrong without a word:
 // luxo's own around material() are among them.
 constexpr std::uint64_t kDeepestBranches = 64;
@@ -252,12 +252,12 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
 }
 
 void MaterialProgram::requireFewInstructions() const {
-  if (cost_.instructions > kMostInstructions)
+  if (cost_.instructions > kMaxShaderInstructions)
     throw Error(
         ErrorKind::Scene,
         fmt::format("{}: with a copy of each function at each of its calls it has {} instructions; at "
                     "most {} are compiled",
-                    shader_->files.front().name, cost_.instructions, kMostInstructions),
+                    shader_->files.front().name, cost_.instructions, kMaxShaderInstructions),
         "call functions in a loop instead of one by one");
 }
 
@@ -272,10 +272,10 @@ void MaterialProgram::requireAffordable() const {
                             file, cost.nesting, kDeepestBranches),
                 "use an array and a loop, or a switch");
   if (cost.longestTable > kLongestTable) refuseTable();
-  if (cost.variableBytes > kMostVariableBytes)
+  if (cost.variableBytes > kMaxVariableBytes)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: its variables take {} bytes in every pixel; at most {} are there", file,
-                            cost.variableBytes, kMostVariableBytes),
+                            cost.variableBytes, kMaxVariableBytes),
                 "keep less in arrays");
 }
 
@@ -340,8 +340,8 @@ void MaterialProgram::check(const Material& material) const {
         refuse(fmt::format("the uniform '{}' of '{}' is a {}, and there is no map {}", value.name, file,
                            arrayText(*uniform), number),
                "0 is the material's \"map\", 1 its \"specular_map\", 2 its \"glow_map\"");
-      constexpr double kMostWhole = 16777216;  // what floats count to
-      if (type->scalar != "float" && !(number == std::floor(number) && std::abs(number) <= kMostWhole &&
+      constexpr double kMaxWhole = 16777216;  // what floats count to
+      if (type->scalar != "float" && !(number == std::floor(number) && std::abs(number) <= kMaxWhole &&
                                        (type->scalar == "int" || number >= 0)))
         refuse(fmt::format("the uniform '{}' of '{}' is of type {}, and this is {}", value.name, file,
                            arrayText(*uniform), number),

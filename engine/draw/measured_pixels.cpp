@@ -105,7 +105,7 @@ void refuseShaders(const Snapshot& snapshot, const shared::ShaderFaults& faults)
   if (faults.manyTraces > 0)
     throw Error(ErrorKind::Scene,
                 fmt::format("{}: in {} pixels the shader sends more than {} rays into the scene", all,
-                            faults.manyTraces, shared::kMostTraces),
+                            faults.manyTraces, shared::kMaxTraces),
                 "send fewer: end loops that follow a ray sooner");
 }
 

@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::uint64_t kPixelsPerProbe = 4096, kFewestProbes = 64;
 /// Pixels: of the depth of a certified point no more is lost, however large the numbers are. Where three
-/// roundings may move it by kMostTolerancePx it is searched for in double, or not certified; and of triangles
+/// roundings may move it by kMaxTolerancePx it is searched for in double, or not certified; and of triangles
 /// the corners are held to half of what an outline may be off (triangle_precision.h).
-constexpr double kMostRoundingPx = shared::kDepthRounding / (3 * 0x1p-24) * shared::kMostTolerancePx;
-constexpr double kMostOfTrianglesPx = 0.5 * kSilhouettePx;
+constexpr double kMaxRayRoundingPx = shared::kDepthRounding / (3 * 0x1p-24) * shared::kMaxTolerancePx;
+constexpr double kMaxTrianglesPx = 0.5 * kSilhouettePx;
 const shared::ReachingLight kAllReaches{.shadows = 0, .transmittance = Vec3f(1)};
 
 double depthInBuffer(const View& view, double depth) {
@@ -122,7 +122,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
                           std::function<bool()> goesOn) {
   goesOn_ = std::move(goesOn);
   treesMs_ = rounding_ = 0;
-  mostRoundingPx_ = kMostRoundingPx;
+  mostRoundingPx_ = kMaxRayRoundingPx;
   nodes_.clear();
   receivers_.clear();
   all_.resize(snapshot.nodes.size());
@@ -137,7 +137,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
     if (layers) layers_.push_back(i);
     const Material& material = snapshot.materials[snapshot.nodes[i].material.index];
     if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
-    if (surface && snapshot.nodes[i].surface.triangles()) mostRoundingPx_ = kMostOfTrianglesPx;
+    if (surface && snapshot.nodes[i].surface.triangles()) mostRoundingPx_ = kMaxTrianglesPx;
     if (surface || layers) rounding_ = std::max(rounding_, depthRounding(snapshot.view, snapshot.nodes[i]));
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 /// A point asks for one ray more in each round. Searches and rays may each have found it, one after the
 /// other.
-constexpr std::uint32_t kMostRounds = 2 * shared::kMostTraces;
+constexpr std::uint32_t kMaxTraceRounds = 2 * shared::kMaxTraces;
 
 /// How far a point that is shown may be from where its pixel's ray meets the surface. Exact ones are within
 /// single precision; those of meshes within a pixel or so, seen at 75 degrees or steeper.
@@ -48,7 +48,7 @@ bool SecondaryRays::answer(std::span<const shared::TraceQuestion> questions) {
   for (std::uint32_t pixel = 0; pixel < questions.size(); ++pixel)
     if (questions[pixel].ray.from != shared::kNoQuestion) asked.push_back({pixel, questions[pixel].ray});
   open_ = asked.size();
-  if (asked.empty() || rounds_++ > kMostRounds) return false;
+  if (asked.empty() || rounds_++ > kMaxTraceRounds) return false;
   forget(questions);
   std::vector<reference::Ray> fromEye;
   for (const Cast& one : asked)

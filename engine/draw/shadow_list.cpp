@@ -292,7 +292,7 @@ class ShadowLister {
         list_.casters.closed.push_back(closed_[i].data);
         ++draw.state.closed;
         ++i;
-      } while (i < closed_.size() && draw.state.closed < shared::kMostClosedCasters &&
+      } while (i < closed_.size() && draw.state.closed < shared::kMaxClosedCasters &&
                closed_[i].kind == draw.state.closedKind &&
                around(draw.area, closed_[i].area).count() <= draw.area.count() + closed_[i].area.count());
       if (group_->lightsPoints()) group_->shadows.push_back(draw);

@@ -25,7 +25,7 @@ constexpr double kCoarsestShell = 1.0 / 64;
 constexpr double kCoarsestQuadric = 1.0 / 4;
 
 /// Of the surface's size: a slab that has to be thicker tells little of where its surface is.
-constexpr double kMostMargin = 1.0 / 16;
+constexpr double kMaxMargin = 1.0 / 16;
 
 /// How far slabs have to reach beyond their surface so that no device draws them beside it: half axes of an
 /// ellipsoid, object units, that holds what is a ball in the world. As the corners move from where they are
@@ -330,7 +330,7 @@ std::shared_ptr<const Shell> ShellList::shellOf(const SnapshotNode& node, const 
   const auto most = static_cast<double>(std::max(pixels.count(), kWorthRays));
   const double refined = options_.finerShells ? tolerance / 4 : tolerance;
   const Vec3 margin = marginOf(snapshot_.view, node, v);
-  if (!glm::all(glm::lessThanEqual(margin, Vec3(kMostMargin * size)))) return nullptr;
+  if (!glm::all(glm::lessThanEqual(margin, Vec3(kMaxMargin * size)))) return nullptr;
   std::shared_ptr<const Shell> shell =
       geometry_.shells.get(node.surface, node.parameters, refined, margin, most);
   if (shell && pixels.count() <= options_.sharedPixels && isQuadric(*shell))

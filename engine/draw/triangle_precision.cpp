@@ -16,7 +16,7 @@ namespace luxo {
 namespace {
 
 /// Half of what an outline may be off; the raster's own steps are a fifth.
-constexpr double kMostPx = 0.005;
+constexpr double kMaxTrianglePx = 0.005;
 /// Of each length that is added up on the way from object to clip space: three products and sums, twice.
 constexpr double kVertexRounding = 6 * 0x1p-24;
 
@@ -101,7 +101,7 @@ class NearPart {
 void appendBlurred(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Vec3& origin,
                    std::vector<PixelRect>& rects) {
   const Rounding rounding = roundingOf(view, node, visible, origin);
-  const double left = kMostPx - rounding.everywhere;
+  const double left = kMaxTrianglePx - rounding.everywhere;
   if (!(left > 0)) {
     rects.push_back(pixelsOf(view, node.boundsWorld));
     return;

@@ -11,7 +11,7 @@
 namespace luxo {
 namespace {
 
-constexpr std::size_t kMostFactors = 24;
+constexpr std::size_t kMaxProductFactors = 24;
 
 using Factors = std::map<std::uint32_t, int>;
 
@@ -60,7 +60,7 @@ class Factorization {
       default:
         break;
     }
-    return found && found->factors.size() <= kMostFactors ? *found : Product{1, {{index, 1}}};
+    return found && found->factors.size() <= kMaxProductFactors ? *found : Product{1, {{index, 1}}};
   }
 
   /// Of terms that have something in common.

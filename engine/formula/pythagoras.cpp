@@ -13,13 +13,13 @@
 namespace luxo {
 namespace {
 
-constexpr std::size_t kMostTerms = 32;
+constexpr std::size_t kMaxSumTerms = 32;
 constexpr double kRounding = 0x1p-50;  // of a number: some products of constants
 
 std::vector<Product> termsOf(Graph& graph, Expr sum) {
   std::vector<Product> terms;
   std::vector<std::pair<std::uint32_t, double>> open{{graph.nodeOf(sum), 1}};
-  while (!open.empty() && terms.size() <= kMostTerms) {
+  while (!open.empty() && terms.size() <= kMaxSumTerms) {
     const auto [index, sign] = open.back();
     open.pop_back();
     const ExprNode node = graph.nodes()[index];
@@ -70,7 +70,7 @@ bool joinSome(const Graph& graph, std::vector<Product>& terms) {
 Expr withoutSquaresOfTurns(Graph& graph, Expr sum) {
   if (sum.isConstant()) return sum;
   std::vector<Product> terms = termsOf(graph, sum);
-  if (terms.size() > kMostTerms || !joinSome(graph, terms)) return sum;
+  if (terms.size() > kMaxSumTerms || !joinSome(graph, terms)) return sum;
   while (joinSome(graph, terms)) {
   }
   Expr result = 0;

@@ -204,11 +204,11 @@ SourceRange WordLines::shown(const ShaderSource& source, const SourceRange& wher
   const std::vector<GlslToken> allInText = glslTokens(source.text), allWritten = glslTokens(written);
   const Tokens inText = tokensIn(allInText, lineAround(source.text, where.begin)),
                inWritten = tokensIn(allWritten, lineAround(written, begin));
-  constexpr std::size_t kMostDropped = 64;  // words one after the other that are gone: a layout(...)
+  constexpr std::size_t kMaxDropped = 64;  // words one after the other that are gone: a layout(...)
   std::size_t next = 0;
   for (const GlslToken& token : inText) {
     const std::string word = asShown(token.text);
-    const Tokens ahead = inWritten.subspan(next, std::min(kMostDropped, inWritten.size() - next));
+    const Tokens ahead = inWritten.subspan(next, std::min(kMaxDropped, inWritten.size() - next));
     const auto same = std::ranges::find(ahead, word, &GlslToken::text);
     const bool isFound = same != ahead.end();  // else it was added
     if (isFound) next += static_cast<std::size_t>(same - ahead.begin());

@@ -462,13 +462,13 @@ std::string boolOf(const std::string& type) {
 ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
   // What is called is looked at once for each way there, and forty functions have 2^40 of them. Measured:
   // 720,000 instructions take 20 ms at most.
-  constexpr std::uint64_t kMostInstructions = 1 << 20;
-  if (const std::uint64_t instructions = costOf(spirv).instructions; instructions > kMostInstructions)
+  constexpr std::uint64_t kMaxShaderInstructions = 1 << 20;
+  if (const std::uint64_t instructions = costOf(spirv).instructions; instructions > kMaxShaderInstructions)
     throw Error(
         ErrorKind::Scene,
         fmt::format("with a copy of each function at each of its calls the shader has {} instructions; "
                     "at most {} are read",
-                    instructions, kMostInstructions),
+                    instructions, kMaxShaderInstructions),
         "call functions in a loop instead of one by one");
   return ofSpirv(spirv, [](std::span<const std::uint32_t> words) { return Reflection(words).interface(); });
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr double kLeastBytesPerPixel = 1.0 / 512;
 // A progressive file may hold any number of scans of nothing, each a pass over the picture: what honest
 // programs write has ten or so.
-constexpr int kMostScans = 100;
+constexpr int kMaxScans = 100;
 
 struct Failure {
   jpeg_error_mgr manager;
@@ -39,9 +39,9 @@ void warn(j_common_ptr info, int level) {
 }
 
 void countScans(j_common_ptr info) {
-  if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > kMostScans) {
+  if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > kMaxScans) {
     auto* failure = reinterpret_cast<Failure*>(info->err);
-    std::snprintf(failure->why, sizeof failure->why, "more than %d scans", kMostScans);
+    std::snprintf(failure->why, sizeof failure->why, "more than %d scans", kMaxScans);
     std::longjmp(failure->jump, 1);
   }
 }

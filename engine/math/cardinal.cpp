@@ -8,7 +8,7 @@
 namespace luxo {
 namespace {
 
-constexpr double kMostWrong = 1e-13;
+constexpr double kMaxWrong = 1e-13;
 /// The first zero of j_1 is at 4.4934, those of higher orders beyond: up to its square no order is negative.
 constexpr double kNoneNegative = 20;
 
@@ -53,7 +53,7 @@ double most(double w, int order) {
 }
 
 double doubt(double value, int order) {
-  return kMostWrong * std::max(cardinalAtZero(order), std::abs(value));
+  return kMaxWrong * std::max(cardinalAtZero(order), std::abs(value));
 }
 
 }  // namespace

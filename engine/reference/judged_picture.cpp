@@ -29,7 +29,7 @@ constexpr double kFloatRounding = 0x1p-24;  // of a number: the nearest float is
 /// Pixels whose light may be wrong, times lights: where there are more, thousands of pixels are wrong, and
 /// borders of shadows are looked for in four directions alone, so that judging takes no longer than four
 /// times casting them did. What has a border nearby may be counted then that would not be.
-constexpr std::size_t kMostTurned = 20'000;
+constexpr std::size_t kMaxTurned = 20'000;
 
 /// What is not a number is wrong without bound.
 double errorOf(double value) { return std::isnan(value) ? kInfinity : std::abs(value); }
@@ -299,7 +299,7 @@ class PictureJudge : ComparedPixels {
     const auto shadows =
         std::ranges::count_if(snapshot_.lights, [](const SnapshotLight& light) { return light.hasShadow(); });
     const Caster caster(snapshot_, options_.shading);
-    const LightJudge lights(*this, caster, doubtful.size() * static_cast<std::size_t>(shadows) > kMostTurned);
+    const LightJudge lights(*this, caster, doubtful.size() * static_cast<std::size_t>(shadows) > kMaxTurned);
     tbb::parallel_for(std::size_t(0), doubtful.size(), [&](std::size_t d) {
       const std::size_t k = doubtful[d];
       JudgedPixel& pixel = pixels_[k];

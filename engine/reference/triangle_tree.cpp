@@ -18,7 +18,7 @@ namespace {
 
 // Both decide about time, and which of two triangles that meet where the ray does is told: a ray looks at
 // every triangle whose box it may meet. Chosen, not measured.
-constexpr std::uint32_t kMostInLeaf = 4;
+constexpr std::uint32_t kMaxInLeaf = 4;
 constexpr std::size_t kBins = 16;               // of the surface area heuristic (I. Wald 2007)
 constexpr std::size_t kWorthThreads = 1 << 13;  // triangles, about a millisecond
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -55,7 +55,7 @@ class Builder {
       middles.add(middleOf(order_[i]));
     }
     const std::size_t count = end - begin;
-    if (count <= kMostInLeaf)
+    if (count <= kMaxInLeaf)
       return {{box.low, box.high, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(count)}};
     const std::size_t middle = split(begin, end, middles);
     std::vector<Node> first, second;

@@ -20,7 +20,7 @@ class IsolineSet {
  public:
   IsolineSet() = default;  ///< no lines
 
-  /// One over the other, the last on top: at most kMostLineFamilies in all. Variables 0 and 1 of the graph
+  /// One over the other, the last on top: at most kMaxLineFamilies in all. Variables 0 and 1 of the graph
   /// are u and v, 2 + k is parameter k of `parameterCount`; the graph may go. Cost: that of both derivatives
   /// of each field. Throws Error(Scene) for formulas too large for a shader (formula/glsl.h).
   IsolineSet(Graph& graph, std::span<const Isolines> lines, std::size_t parameterCount);

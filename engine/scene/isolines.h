@@ -37,7 +37,7 @@ struct Isolines {
   Expr opacity;               ///< from 0 to 1
 };
 
-inline constexpr std::size_t kMostLineFamilies = 8;  // of one material
+inline constexpr std::size_t kMaxLineFamilies = 8;  // of one material
 
 /// A field at one point, in units of the step.
 struct LineField {

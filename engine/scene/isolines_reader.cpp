@@ -57,10 +57,10 @@ void readIsolines(const JsonValue& value, SceneProblems& problems, std::vector<I
     readOne(one, problems, desc);
     const std::size_t before = families;
     families += std::size_t{desc.of.has_value()} + desc.u.has_value() + desc.v.has_value();
-    if (before <= kMostLineFamilies && families > kMostLineFamilies)
+    if (before <= kMaxLineFamilies && families > kMaxLineFamilies)
       problems.add(
           desc.place,
-          fmt::format("with these the material has more than {} families of lines", kMostLineFamilies),
+          fmt::format("with these the material has more than {} families of lines", kMaxLineFamilies),
           "leave some out; \"step\" repeats those of one formula");
   };
   if (value.kind() != JsonKind::Array) {

@@ -128,16 +128,16 @@ class Expansion {
  public:
   /// `isSure`: whatever conditions are.
   void define(Tokens tokens, bool isSure, const File& file) {
-    constexpr std::size_t kMostAlternatives = 64;
+    constexpr std::size_t kMaxAlternatives = 64;
     const GlslToken& name = tokens.front();
     std::vector<Definition>& alternatives = macros_[name.text].alternatives;
     if (isSure) alternatives.clear();
     Definition definition = definitionOf(tokens);
     if (std::ranges::find(alternatives, definition) != alternatives.end()) return;
     alternatives.push_back(std::move(definition));
-    if (alternatives.size() > kMostAlternatives)
+    if (alternatives.size() > kMaxAlternatives)
       refuse({&file, {name.begin, name.end()}},
-             fmt::format("the macro '{}' has more than {} definitions", name.text, kMostAlternatives),
+             fmt::format("the macro '{}' has more than {} definitions", name.text, kMaxAlternatives),
              "give them names of their own");
   }
   void undefine(std::string_view name) { macros_.erase(name); }
@@ -185,8 +185,8 @@ class Expansion {
 
   void spend(std::size_t words, const Place& place) {
     spent_ += words;
-    if (spent_ > kMostExpandedWords)
-      refuse(place, fmt::format("macros come to more than {} words here", kMostExpandedWords),
+    if (spent_ > kMaxExpandedWords)
+      refuse(place, fmt::format("macros come to more than {} words here", kMaxExpandedWords),
              "write functions and loops instead: a macro is copied to each place where it is named");
   }
 
@@ -435,11 +435,11 @@ class Reader {
     const Place place{&by, {quoted.begin, quoted.end()}};
     constexpr const char* kAdvice =
         "put #ifndef, #define and #endif around what a file has: it is there once then";
-    if (++includes_ > kMostIncludes)
-      refuse(place, fmt::format("files are included more than {} times", kMostIncludes), kAdvice);
+    if (++includes_ > kMaxIncludes)
+      refuse(place, fmt::format("files are included more than {} times", kMaxIncludes), kAdvice);
     bytes_ += file->text.size();
-    if (bytes_ > kMostIncludedBytes)
-      refuse(place, fmt::format("included files come to more than {} MiB", kMostIncludedBytes >> 20),
+    if (bytes_ > kMaxIncludedBytes)
+      refuse(place, fmt::format("included files come to more than {} MiB", kMaxIncludedBytes >> 20),
              kAdvice);
     ++depth_;
     read(static_cast<std::size_t>(file - shader_.files.begin()));
@@ -466,13 +466,13 @@ class Reader {
 
   void requireFew(const Word& word) {
     declarations_.take(word.text);
-    if (declarations_.members() > kMostMembers)
+    if (declarations_.members() > kMaxMembers)
       refuse(word.place,
-             fmt::format("this structure has more than {} members and structures in it", kMostMembers),
+             fmt::format("this structure has more than {} members and structures in it", kMaxMembers),
              "use arrays");
-    if (declarations_.calls() > kMostCalls)
+    if (declarations_.calls() > kMaxCalls)
       refuse(word.place,
-             fmt::format("functions call others more than {} times, not counting repetitions", kMostCalls),
+             fmt::format("functions call others more than {} times, not counting repetitions", kMaxCalls),
              "write fewer functions");
   }
 

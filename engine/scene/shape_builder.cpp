@@ -27,7 +27,7 @@ namespace luxo {
 namespace {
 
 constexpr const char* kCellsInWords = "a whole number from 1 to 128";
-static_assert(kMostClothCells == 128);
+static_assert(kMaxClothCells == 128);
 
 /// The surface of position formulas, at rest for its topology and then free to move.
 Surface assemble(const FormulaSet& formulas, const ExprPoint& position, const Moment& start,
@@ -315,7 +315,7 @@ Surface ShapeBuilder::buildShape(const std::string&, const ClothShape& shape) {
 }
 
 std::uint32_t ShapeBuilder::cellsOf(const Quantity& quantity) {
-  const Allowed allowed{{1, kMostClothCells}, kCellsInWords};
+  const Allowed allowed{{1, kMaxClothCells}, kCellsInWords};
   const double cells = formulas_.fixed(quantity, allowed).value_or(1);
   if (cells != std::floor(cells))
     problems_.add(quantity.place(), fmt::format("this is {}; it must be {}", cells, kCellsInWords));

@@ -16,7 +16,7 @@ namespace luxo {
 namespace {
 
 constexpr int kCheckerSide = 512;      // texels, of few squares
-constexpr double kMostOfHalf = 65504;  // what textures hold
+constexpr double kMaxHalf = 65504;  // what textures hold
 
 }  // namespace
 
@@ -81,7 +81,7 @@ Vec3 TextureBuilder::colorOf(const Quantity3& color) {
   Vec3 value(0);
   for (int i = 0; i < 3; ++i)
     value[i] =
-        formulas_.once(color[static_cast<std::size_t>(i)], {{0, kMostOfHalf}, "from 0 to 65504"}).value_or(0);
+        formulas_.once(color[static_cast<std::size_t>(i)], {{0, kMaxHalf}, "from 0 to 65504"}).value_or(0);
   return value;
 }
 

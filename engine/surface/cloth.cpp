@@ -61,9 +61,9 @@ struct Grid {
 
 void requireCells(const Cloth& cloth) {
   for (const std::uint32_t cells : {cloth.columns, cloth.rows})
-    if (cells < 1 || cells > kMostClothCells)
+    if (cells < 1 || cells > kMaxClothCells)
       throw Error(ErrorKind::Scene, fmt::format("a cloth of {} x {} cells; each number must be from 1 to {}",
-                                                cloth.columns, cloth.rows, kMostClothCells));
+                                                cloth.columns, cloth.rows, kMaxClothCells));
 }
 
 void requireNumbers(const Cloth& cloth) {
@@ -144,7 +144,7 @@ std::vector<Vec2f> iterationsFor(double smallest) {
   const double middle = (1 + smallest) / 2, radius = std::max((1 - smallest) / 2, 0x1p-20);
   const double sigma = middle / radius;
   const double wanted = std::acosh(1 / std::sqrt(kResidual)) / std::acosh(sigma);
-  if (!(wanted <= kMostClothIterations / 2)) return {};
+  if (!(wanted <= kMaxClothIterations / 2)) return {};
   std::vector<Vec2f> iterations{Vec2f(0, static_cast<float>(1 / middle))};
   double rho = 1 / sigma;
   for (int i = 1; i < std::ceil(wanted); ++i) {
@@ -192,7 +192,7 @@ ClothSystem clothSystem(const Cloth& cloth) {
         ErrorKind::Scene,
         fmt::format("a step of {} s is too long for how stiff and light a cloth is: it would take more than "
                     "{} iterations",
-                    cloth.step, kMostClothIterations),
+                    cloth.step, kMaxClothIterations),
         "shorten \"step\", or lower \"stretch\", \"shear\" or \"bend\", or take fewer cells");
   return system;
 }
@@ -239,10 +239,10 @@ std::uint32_t clothSteps(const Cloth& cloth, double timeSeconds) {
   // A time that is a multiple of the step, each rounded once, and so is their quotient.
   const double steps =
       std::floor(timeSeconds / cloth.step * (1 + 4 * std::numeric_limits<double>::epsilon()));
-  if (steps > kMostClothSteps)
+  if (steps > kMaxClothSteps)
     throw Error(ErrorKind::Scene,
                 fmt::format("time {} s is step {:.0f} of a cloth; the last one that is simulated is {}",
-                            timeSeconds, steps, kMostClothSteps),
+                            timeSeconds, steps, kMaxClothSteps),
                 "ask for an earlier time, or take a longer \"step\"");
   return static_cast<std::uint32_t>(steps);
 }

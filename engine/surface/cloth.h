@@ -48,9 +48,9 @@ namespace luxo {
 
 /// Cells along each side, steps from time 0, and iterations of a step: the most. The last bounds what a step
 /// costs; it is reached where a step is so long that sound crosses some eight cells in it.
-inline constexpr std::uint32_t kMostClothCells = 128;
-inline constexpr std::uint32_t kMostClothSteps = 100000;
-inline constexpr std::uint32_t kMostClothIterations = 128;
+inline constexpr std::uint32_t kMaxClothCells = 128;
+inline constexpr std::uint32_t kMaxClothSteps = 100000;
+inline constexpr std::uint32_t kMaxClothIterations = 128;
 
 /// At rest it lies in the plane y = 0 as a rectangle does: u runs along +x, v along -z, both from 0 to 1.
 struct Cloth {
@@ -106,7 +106,7 @@ struct ClothSystem {
 };
 
 /// Error(Scene), naming the number, its value and what it may be: numbers out of range, cells or pins that
-/// are none, a step that is too long for its stiffness (kMostClothIterations).
+/// are none, a step that is too long for its stiffness (kMaxClothIterations).
 void validate(const Cloth& cloth);
 /// The same errors. Cost: linear.
 [[nodiscard]] ClothSystem clothSystem(const Cloth& cloth);
@@ -116,7 +116,7 @@ void validate(const Cloth& cloth);
 [[nodiscard]] Surface clothSurface(const Cloth& cloth, std::span<const Vec3f> positions);
 
 /// Steps from 0 to a time: the largest number whose time is not later, but for rounding; 0 before time 0.
-/// Error(Scene): more than kMostClothSteps.
+/// Error(Scene): more than kMaxClothSteps.
 [[nodiscard]] std::uint32_t clothSteps(const Cloth& cloth, double timeSeconds);
 
 }  // namespace luxo

@@ -60,7 +60,7 @@ const ClothSimulation::Held& ClothSimulation::held(const Cloth& cloth, std::uint
       throw Error(ErrorKind::Retry,
                   fmt::format("interrupted after {} of the {} steps that a cloth takes", reached, steps));
     }
-    const std::uint32_t more = std::min(steps - next.steps, kMostStepsAtOnce);
+    const std::uint32_t more = std::min(steps - next.steps, kMaxStepsAtOnce);
     advance(cloth, next.state, more);
     next.steps += more;
   }

@@ -25,14 +25,14 @@ class ClothSimulation {
   [[nodiscard]] Surface surfaceAfter(const Cloth& cloth, std::uint32_t steps);
   [[nodiscard]] ClothState stateAfter(const Cloth& cloth, std::uint32_t steps);
 
-  /// Asked before every kMostStepsAtOnce steps, by whoever asks for a state: once it says yes that is
+  /// Asked before every kMaxStepsAtOnce steps, by whoever asks for a state: once it says yes that is
   /// refused, Error(Retry). What was reached is remembered: asked again it goes on from there.
   void setInterruption(std::function<bool()> asked);
 
  protected:
   /// Of one advance(): a step of the largest cloth takes some 10 ms, and systems end what takes a device
   /// seconds.
-  static constexpr std::uint32_t kMostStepsAtOnce = 64;
+  static constexpr std::uint32_t kMaxStepsAtOnce = 64;
 
  private:
   struct Held {
@@ -42,7 +42,7 @@ class ClothSimulation {
     Surface surface;
   };
 
-  /// So many steps on, at most kMostStepsAtOnce. This one throws Error(Scene): it takes a device
+  /// So many steps on, at most kMaxStepsAtOnce. This one throws Error(Scene): it takes a device
   /// (draw/device_cloth_simulation.h).
   virtual void advance(const Cloth& cloth, ClothState& state, std::uint32_t steps);
   const Held& held(const Cloth& cloth, std::uint32_t steps);

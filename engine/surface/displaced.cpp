@@ -347,7 +347,7 @@ class EdgeComparison {
   /// second derivative.
   [[nodiscard]] bool isSmall(Graph& graph, Expr difference) const {
     constexpr int kCells = 256;
-    constexpr std::size_t kMostPoints = 1 << 20;
+    constexpr std::size_t kMaxPoints = 1 << 20;
     if (difference.isConstant()) return std::abs(difference.constant()) <= within_;
     if (!graph.kinks({&difference, 1}).empty()) return false;
     const Expr bend = graph.derivative(graph.derivative(difference, kVariableU), kVariableU);
@@ -358,7 +358,7 @@ class EdgeComparison {
       Interval most;
       second.bound({from, from + 1.0 / kCells}, 0, {}, {&most, 1});
       const double steps = std::ceil(std::sqrt(most.magnitude() / (4 * within_)) / kCells);
-      if (!(points.size() + steps <= kMostPoints)) return false;
+      if (!(points.size() + steps <= kMaxPoints)) return false;
       for (double k = 1; k <= std::max(steps, 1.0); ++k)
         points.push_back(from + k / std::max(steps, 1.0) / kCells);
     }

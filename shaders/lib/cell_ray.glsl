@@ -36,7 +36,7 @@ const int kMaxEvaluations = LUXO_EVALUATIONS;  // of a ray; a few dozen where it
 const float kBorder = 1e-4;
 
 const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
-const float kMostRounding = 4e-3;  // pixels
+const float kMaxRounding = 4e-3;  // pixels
 
 struct CellRay {
   vec3 from, along;       // unit
@@ -121,7 +121,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
     bool isHere = max(beyond.x, beyond.y) <= 1.0;
     float grain = ray.grain.x + ray.grain.y * (ray.grain.y > 0.0 ? t - reach : t + reach);
     // Where floats are as coarse as that borders would be off.
-    if (!passes && kGrain * ray.rounding * ray.aslant > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+    if (!passes && kGrain * ray.rounding * ray.aslant > kMaxRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
     bool isGrain = size + bend <= 4.0 * ray.rounding || (ray.isSight && size + bend <= grain);
     // The ray ends where the surface is, or before or behind it.
     if (!passes && isGrain && isHere && !isOwn && abs(tMiddle - ray.last) <= tOff) return kOpen;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a draw of shadows in closed form tells its fragments: the pixel's place, and up to kMostClosedCasters casters; the same
+// What a draw of shadows in closed form tells its fragments: the pixel's place, and up to kMaxClosedCasters casters; the same
 // all over the target.
 #ifndef LUXO_LIB_CLOSED_INTERFACE_GLSL
 #define LUXO_LIB_CLOSED_INTERFACE_GLSL
@@ -10,8 +10,8 @@ layout(constant_id = kConstantClosedCasters) const uint kClosedCasters = 1;
 layout(constant_id = kConstantClosedKind) const uint kClosedKind = kClosedQuadric;
 
 layout(location = 7) flat LUXO_VARYING vec4 varyingLightRelative;
-layout(location = 8) flat LUXO_VARYING vec4 varyingNumbers[kClosedNumbers * kMostClosedCasters];
-layout(location = 28) flat LUXO_VARYING uvec3 varyingClosed[kMostClosedCasters];  // light_, flags, material
+layout(location = 8) flat LUXO_VARYING vec4 varyingNumbers[kClosedNumbers * kMaxClosedCasters];
+layout(location = 28) flat LUXO_VARYING uvec3 varyingClosed[kMaxClosedCasters];  // light_, flags, material
 
 #ifdef LUXO_VERTEX
 layout(scalar, set = kSetShadow, binding = kBindingClosedCasters) readonly buffer ClosedCasters { ClosedCaster closedCasters[]; };

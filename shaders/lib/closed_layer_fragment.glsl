@@ -5,7 +5,7 @@
 #include "lib/layer_start.glsl"
 #include "lib/rounds.glsl"
 
-const int kRoundsOfCaster = kClosedKind == kClosedTorus ? 1 + kMostSteps : 1;
+const int kRoundsOfCaster = kClosedKind == kClosedTorus ? 1 + kMaxRootSteps : 1;
 
 void findLayerShadows() {
   vec3 place = pixelPlace(), ray = pixelRay();

@@ -12,7 +12,7 @@
 // algorithms", 2004). And as r is convex along a ray, the parabola of that value and slope with |d|^2 for its square is
 // above F: the ray meets the torus where that is negative.
 
-const int kMostSteps = 32;  // what they do not settle is open: fewer leave more to rays, and nothing wrong; chosen
+const int kMaxRootSteps = 32;  // what they do not settle is open: fewer leave more to rays, and nothing wrong; chosen
 
 // Whether a ray keeps, from t to `end`, more than `off` inside of the ring, as r is convex along it, or outside.
 bool missesRing(vec3 q, vec3 d, float t, float end, float off) {
@@ -40,7 +40,7 @@ int meetsTorus(ClosedCaster caster, ClosedRay ray) {
 
   float least = 0.5 * (1.0 - tube);  // s, where r is less: near the axis parabolas are narrow
   bool isOwn = ray.isOwn;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxRootSteps; ++i) {
     vec3 p = q + t * d;
     float r = length(p.xz), perS = 1.0 / max(r, least), below = max(least - r, 0.0), off = r - 1.0;
     float c = off * off + (p.y - tube) * (p.y + tube), around = dot(p.xz, d.xz);

@@ -26,7 +26,7 @@ void doubtPixel() {
 Found foundPoint() {
   Root root;
   int result = rootOfPixel(root);
-  root.certified = root.certified && toleranceAt(root.depth) <= kMostTolerancePx * widthAt(root.depth);
+  root.certified = root.certified && toleranceAt(root.depth) <= kMaxTolerancePx * widthAt(root.depth);
   if (result == kLost || result == kFound && !root.certified) doubtPixel();
   if (result != kFound || !inDepthRange(root.depth)) discard;
   float depth = float(root.depth);

@@ -10,8 +10,8 @@ layout(set = kSetPattern, binding = LUXO_TEXELS_BINDING) uniform samplerBuffer t
 
 // What sums of weights lose of an alpha of 1: 17 samples of 8 texels, each rounded by 2^-24.
 const float kAlphaRounding = 1e-5;
-const int kMostLevels = 16;   // after the first: of images of 65,536 texels a side
-const float kMostStep = 1e6;  // of a footprint, images: whatever is more is all the same
+const int kMaxMipLevels = 16;   // after the first: of images of 65,536 texels a side
+const float kMaxStep = 1e6;  // of a footprint, images: whatever is more is all the same
 const uint kWrapClamp = 1, kWrapMirror = 2;
 
 struct TextureNumbers {
@@ -76,7 +76,7 @@ vec4 nearestTexel(TextureNumbers numbers, vec2 place) {
   return weighedTexel(numbers, firstLevel(numbers), at.x, at.y);
 }
 
-float stepOf(float x) { return abs(x) <= kMostStep ? x : kMostStep; }
+float stepOf(float x) { return abs(x) <= kMaxStep ? x : kMaxStep; }
 
 vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
   for (int i = 0; i < 2; ++i) steps[i] = numbers.size * vec2(stepOf(steps[i].x), stepOf(steps[i].y));
@@ -95,7 +95,7 @@ vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
 #ifdef LUXO_IN_LOOP
   // Inside a loop over a pixel's layers, whose neighbours have fewer, Mesa 22.3's llvmpipe gets a loop wrong that ends with
   // its level: at outlines colours were off by a tenth.
-  for (int k = 0; k < kMostLevels; ++k)
+  for (int k = 0; k < kMaxMipLevels; ++k)
     if (k < int(level)) finer = nextLevel(finer);
 #else
   for (int k = 0; k < int(level); ++k) finer = nextLevel(finer);

@@ -24,7 +24,7 @@ void beginTraces() {
   traceOpen.ray.from = kNoQuestion;
 }
 
-bool tracesTooOften() { return traceCount > kMostTraces; }
+bool tracesTooOften() { return traceCount > kMaxTraces; }
 
 // At the end. Where something is open, the colour is that of a scene in which this ray, and those after it, meet nothing.
 void askTraces() { traceQuestions[tracePixel] = traceOpen; }

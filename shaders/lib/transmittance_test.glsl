@@ -67,14 +67,14 @@ struct Passage {
   vec3 part;     // how much of the light gets through
 };
 
-const int kMostPassages = 24;  // of a ray; more are left to rays
-Passage passages[kMostPassages];
+const int kMaxPassages = 24;  // of a ray; more are left to rays
+Passage passages[kMaxPassages];
 int passageCount;
 
 // In the order of their distance, so that what rounding leaves of the product does not depend on the order of cells. Whether
 // the others matter no more, as this one is open.
 bool isLastPassage(Passage passage) {
-  isOpen = isOpen || passageCount == kMostPassages;
+  isOpen = isOpen || passageCount == kMaxPassages;
   if (isOpen) return true;
   int place = passageCount++;
   for (; place > 0 && passages[place - 1].t > passage.t; --place) passages[place] = passages[place - 1];

@@ -32,7 +32,7 @@ float ownSlant = 0.0;  // of the triangle that the point is on: 1 / the sine of 
 float widthBesideEdge = 1e30;  // the least of a pixel, there: where light spreads, narrower than at the point
 
 bool isAsNearAsBordersMove(CellRay ray) {
-  bool isSteep = ownMeetings > 0 && ray.rounding * ownSlant * ray.aslant <= kMostRounding * widthBesideEdge;
+  bool isSteep = ownMeetings > 0 && ray.rounding * ownSlant * ray.aslant <= kMaxRounding * widthBesideEdge;
   return (metBesideEdge || passedBesideEdge) && !isSteep;
 }
 
@@ -63,7 +63,7 @@ int meetsCell(CellRay ray, CasterCell cell) {
     return kPassed;
   }
   // Where floats are as coarse as that borders would be off.
-  if (kGrain * ray.rounding * ray.aslant > kMostRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
+  if (kGrain * ray.rounding * ray.aslant > kMaxRounding * (ray.grain.x + ray.grain.y * t)) return kOpen;
   metAt = t;
   metOff = off;
   weightsOff = unsure / abs(area);

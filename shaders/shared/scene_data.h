@@ -36,7 +36,7 @@ LUXO_CONSTANT kUncertified = 3;
 LUXO_NUMBER kFarCells = 2.0;
 
 // Pixels: where single precision may be farther off no point is certified.
-LUXO_NUMBER kMostTolerancePx = 7e-4;
+LUXO_NUMBER kMaxTolerancePx = 7e-4;
 
 // The numbers of a patch that is searched for by its equation, instead of parameters, in metres. Of a quadric or of a torus:
 LUXO_CONSTANT kQuadricSquares = 0;  // of x, y and z
@@ -374,7 +374,7 @@ struct ShownPoint {
 
 // A ray that a material's shader has asked for (trace() in shaders/MATERIALS.md): from the point that it lights, or from
 // what an earlier one of its rays has met.
-LUXO_CONSTANT kMostTraces = 16;  // of a point
+LUXO_CONSTANT kMaxTraces = 16;  // of a point
 LUXO_CONSTANT kNoQuestion = 0;
 LUXO_CONSTANT kFromPoint = 1;
 LUXO_CONSTANT kFromFirstHit = 2;  // and on: of the answers to this point, by their number
@@ -421,7 +421,7 @@ LUXO_CONSTANT kClosedQuadric = 3;
 LUXO_CONSTANT kClosedTorus = 4;
 
 // So many of one light are looked for at once: as many as a draw can tell its fragments of.
-LUXO_CONSTANT kMostClosedCasters = 2;
+LUXO_CONSTANT kMaxClosedCasters = 2;
 
 // Flags beside the number of the material: a point
 LUXO_CONSTANT kLayerMaterial = kMaxFoundMaterials - 1;

@@ -12,8 +12,8 @@ namespace luxo {
 void fuzzTexture(std::string_view input) {
   const auto bytes = std::as_bytes(std::span(input));
   // Honest files of few bytes may be large pictures of one colour; what is looked at here is small ones.
-  constexpr std::size_t kMostBytes = 4096;
-  if (bytes.size() > kMostBytes) return;
+  constexpr std::size_t kMaxBytes = 4096;
+  if (bytes.size() > kMaxBytes) return;
   for (const Codes codes : {Codes::Srgb, Codes::Data}) {
     const auto texture = resultOf([&] { return decodeTexture(bytes, "fuzz", codes); });
     if (!texture) return;
