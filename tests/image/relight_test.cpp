@@ -161,12 +161,55 @@ TEST_F(Relighting, WhereMaterialsAloneChangeNothingIsFoundAgain) {
   }
 }
 
+TEST_F(Relighting, InTheShadowsOfADepthMapToo) {
+  Room room;
+  room.light.shadow = Light::Shadow::Map;
+  room.light.map.bias = 0.02;
+  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
+  for (const Edit& edit : paintings()) {
+    edit(room);
+    const Picture again = renderer().render(room.snapshot(), room.options);
+    EXPECT_TRUE(sameBytes(again.image, anew(room).image));
+    EXPECT_EQ(again.statistics.count.passes, 1U);
+    EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
+  }
+}
+
+// Of glass that casts no shadow: the light in that would have its colour.
+TEST_F(Relighting, OfWhatIsSeenThroughToo) {
+  Room room;
+  room.light.shadow = Light::Shadow::None;
+  room.materials[1].opacity = 0.5;
+  const FrameCounts first = renderer().render(room.snapshot(), room.options).statistics.count;
+  EXPECT_GT(first.layerPoints, 0U);
+  std::vector<Edit> edits = paintings();
+  edits.push_back([](Room& r) { r.materials[1].opacity = 0.8; });
+  edits.push_back([](Room& r) { r.materials[1].diffuse = {0.1, 0.1, 1}; });
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    SCOPED_TRACE(i);
+    edits[i](room);
+    const Picture again = renderer().render(room.snapshot(), room.options), fresh = anew(room);
+    EXPECT_TRUE(sameBytes(again.image, fresh.image));
+    const FrameCounts& count = again.statistics.count;
+    EXPECT_EQ(count.submits, 1U);
+    EXPECT_EQ(count.passes, 3U);  // the light on what is opaque, and on what is not, and that over it
+    EXPECT_EQ(count.layerPoints, first.layerPoints);
+    EXPECT_EQ(again.statistics.error.unconvergedPx, 0U);
+  }
+  room.light.shadow = Light::Shadow::Exact;
+  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
+  room.materials[1].diffuse = {0.1, 1, 0.1};
+  EXPECT_TRUE(sameBytes(renderer().render(room.snapshot(), room.options).image, anew(room).image));
+}
+
 TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {
   std::mt19937 random(5);
   const std::vector<Edit> paints = paintings(), finds = others();
-  for (int chain = 0; chain < 4; ++chain) {
+  for (int chain = 0; chain < 6; ++chain) {
     Room room;
     if (chain % 3 == 1) room.light.shadow = Light::Shadow::None;
+    if (chain == 5) room.light.shadow = Light::Shadow::Map;
+    if (chain == 4) room.materials[1].opacity = 0.5;
     if (chain % 2 == 1) room.options.composition = Composition::Deferred;
     for (int step = 0; step < 10; ++step) {
       const bool paint = random() % 2 == 0;
