@@ -135,6 +135,16 @@ TEST_F(TexturePicture, WithShadowsEveryPixelIsTheTruths) {
 
 /// As the ball turns below the eye, the texture at its poles and at its seam is as the truth says; and a
 /// plane to the horizon.
+// As a viewer of models shows one: seams, creases, its own shadow on it and on a wall.
+TEST_F(TexturePicture, AHeadIsTheTruth) {
+  Scene scene = litTexture(Surface(headMesh(64, 48)), tiles(16, 8));
+  scene.add(plate(Vec3(0, 0, -1.6), {8, 8}, scene.add(Material{.diffuse = Vec3(0.8), .specular = Vec3(0)})));
+  scene.add(
+      Node{.translation = Vec3(-4, 2, 5), .light = Light{.intensity = 0.6, .shadow = Light::Shadow::Exact}});
+  const Camera camera{.eye = Vec3(1.8, 0.6, 4.2), .lookAt = Vec3(0, -0.05, 0), .fovY = radians(35)};
+  expectTrueColors(takeSnapshot(scene, 0, kTextureSize, camera), 15000);
+}
+
 TEST_F(TexturePicture, PolesSeamsAndHorizonsAreTheTruths) {
   for (const double height : {3.0, 0.4, -3.0}) {
     SCOPED_TRACE(height);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/meshes.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -60,6 +62,46 @@ TriangleMesh icosphere(int cuts) {
   }
   for (const Vec3& p : arrays.positions) arrays.normals.emplace_back(p);
   return triangleMesh(std::move(arrays), "icosphere");
+}
+
+TriangleMesh headMesh(int columns, int rows) {
+  // A ball that is narrowed to a neck, with bumps and pits where a face has them: from its middle on the
+  // point's distance.
+  struct Feature {
+    double across, height, width, tallness, out;
+  };
+  constexpr std::array<Feature, 8> kFeatures = {{{0, -0.1, 0.13, 0.25, 0.3},       // nose
+                                                 {0.38, 0.15, 0.17, 0.12, -0.12},  // sockets
+                                                 {-0.38, 0.15, 0.17, 0.12, -0.12},
+                                                 {0, 0.36, 0.6, 0.07, 0.06},   // brows
+                                                 {0, -0.45, 0.22, 0.06, 0.1},  // lips
+                                                 {0, -0.75, 0.25, 0.15, 0.1},  // chin
+                                                 {1.57, 0, 0.1, 0.25, 0.22},   // ears
+                                                 {-1.57, 0, 0.1, 0.25, 0.22}}};
+  MeshArrays arrays;
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column <= columns; ++column) {
+      const double u = double(column) / columns, v = double(row) / rows;
+      const double around = kTau * u - kPi, down = 0.02 + 2.75 * v;  // not to the pole, nor below the neck
+      double radius = 0.9 + 0.25 * std::pow(std::max(0.0, -std::cos(down)), 6);
+      for (const Feature& f : kFeatures)
+        radius += f.out * std::exp(-std::pow((around - f.across) / f.width, 2) -
+                                   std::pow((std::cos(down) - f.height) / f.tallness, 2));
+      arrays.positions.emplace_back(0.75 * radius * std::sin(down) * std::sin(around),
+                                    radius * std::cos(down),
+                                    0.9 * radius * std::sin(down) * std::cos(around));
+      arrays.uvs.emplace_back(u, v);
+    }
+  const auto corner = [&](int column, int row) {
+    return static_cast<std::uint32_t>(row * (columns + 1) + column);
+  };
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const std::uint32_t a = corner(column, row), b = corner(column + 1, row), c = corner(column, row + 1),
+                          d = corner(column + 1, row + 1);
+      arrays.indices.insert(arrays.indices.end(), {a, c, b, b, c, d});
+    }
+  return triangleMesh(std::move(arrays), "head");
 }
 
 TriangleMesh meshOf(const Surface& surface, double tolerance) {

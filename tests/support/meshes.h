@@ -16,6 +16,10 @@ namespace luxo::test {
 /// An icosahedron whose triangles were cut in four so many times, corners on the unit sphere: closed, with
 /// smooth normals.
 [[nodiscard]] TriangleMesh icosphere(int cuts);
+/// Like a head, about 2 high, its face toward +Z: sockets, brows, a nose, lips, ears and a neck that is cut
+/// off, so that it is open there; smooth normals, u around it from the back and v from the top down, with a
+/// seam. 2 * columns * rows triangles.
+[[nodiscard]] TriangleMesh headMesh(int columns, int rows);
 /// The triangles of a formula surface, with its normals and parameters.
 [[nodiscard]] TriangleMesh meshOf(const Surface& surface, double tolerance);
 /// Triangles with corners anywhere in the cube from -1 to 1, of about that size, with given normals and uvs.

@@ -37,6 +37,12 @@ Scene floored(double size) {
 
 TEST(Openness, OfAFloorIsOne) { EXPECT_EQ(opennessOf(floored(20), 5), 1); }
 
+// Of a square with half the side a, seen from a small piece of a plane below its middle and parallel to it,
+// at distance 1: four times that of the rectangle above one corner (e.g. Howell's catalogue, B-4).
+double formFactorOfSquare(double a) {
+  return 4 * 2 / kTau * 2 * (a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / 2;
+}
+
 // A direction w, of length 1, meets a wall x = d within the radius if its x is at least d / radius: over the
 // unit disc, which is what the cosine makes of the half sphere, that is a segment.
 TEST(Openness, BesideAWallIsASegmentOfADisc) {
@@ -58,6 +64,25 @@ TEST(Openness, UnderABallIsItsFormFactor) {
   scene.add(Node{.name = "ball", .translation = Vec3(0, 2, 0), .surface = sphere(1)});
   EXPECT_NEAR(opennessOf(scene, 50), 1 - 0.25, kOfRays);
   EXPECT_EQ(opennessOf(scene, 0.99), 1);
+}
+
+// Of a box without a lid the floor's middle sees the opening alone, and of that what the ball leaves.
+TEST(Openness, InABoxWithABallIsWhatTheBallLeavesOfTheOpening) {
+  for (const double half : {1.0, 1.5}) {
+    Scene scene = floored(2 * half);
+    for (int side = 0; side < 4; ++side) {
+      const double angle = 0.25 * kTau * side;
+      const Vec3 out(std::cos(angle), 0, std::sin(angle));
+      scene.add(Node{.name = "wall",
+                     .translation = half * out + Vec3(0, 0.5, 0),
+                     .rotation = Rotation{{-out.z, 0, out.x}, radians(90)},
+                     .surface = rectangle(side % 2 == 0 ? 1 : 2 * half, side % 2 == 0 ? 2 * half : 1)});
+    }
+    EXPECT_NEAR(opennessOf(scene, 50), formFactorOfSquare(half), 2 * kOfRays) << half;
+    scene.add(Node{.name = "ball", .translation = Vec3(0, 0.6, 0), .surface = sphere(0.25)});
+    const double ball = 0.25 / 0.6;
+    EXPECT_NEAR(opennessOf(scene, 50), formFactorOfSquare(half) - ball * ball, 3 * kOfRays) << half;
+  }
 }
 
 TEST(Openness, InsideIsDarkAndGlassOccludesNothing) {
@@ -82,12 +107,6 @@ Material cutOutWindow(double middle, double around) {
   TextureMap map{.texture = std::make_shared<const Texture>(makeTexture(image, "window"))};
   map.filter = TextureFilter::Nearest;
   return {.name = "window", .map = map, .mapOpacity = true, .cutoff = 0.5};
-}
-
-// Of a square with half the side a, seen from a small piece of a plane below its middle and parallel to it,
-// at distance 1: four times that of the rectangle above one corner (e.g. Howell's catalogue, B-4).
-double formFactorOfSquare(double a) {
-  return 4 * 2 / kTau * 2 * (a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / 2;
 }
 
 // Light comes through the hole alone, or past the pane alone.
