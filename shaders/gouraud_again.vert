@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/illumination.glsl"
 #include "lib/lights.glsl"
-#include "lib/scene.glsl"
+#include "lib/instance_vertex.glsl"
 
 layout(constant_id = kConstantFirstLight) const uint kFirstLight = 0;
 
@@ -34,7 +34,7 @@ vec2 received(MaterialData data, LightData light, vec3 toLight, vec3 n, vec3 v) 
 }
 
 void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
+  InstanceData instance = instanceOfVertex();
   vec3 position = relativeFromObject(instance, inPosition);
   vec3 n = unitOrZero(instance.normalFromObject * inNormal);
   vec3 v = towardViewer(view.viewer, position);

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/illumination.glsl"
 #include "lib/lights.glsl"
-#include "lib/scene.glsl"
+#include "lib/instance_vertex.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;
@@ -24,7 +24,7 @@ LightData lightAt(uint i) { return lightSet.lights[i]; }
 ShadeData shadeAt(uint i) { return lightSet.shades[i]; }
 
 void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
+  InstanceData instance = instanceOfVertex();
   vec3 position = relativeFromObject(instance, inPosition);
   vec3 n = unitOrZero(instance.normalFromObject * inNormal);
   vec3 v = towardViewer(view.viewer, position);

@@ -5,4 +5,4 @@
 #define LUXO_RAY_POINT
 #include "lib/surface_vertex.glsl"
 
-void main() { writeSurfaceVertex(instances[gl_InstanceIndex]); }
+void main() { writeSurfaceVertex(instanceOfVertex()); }

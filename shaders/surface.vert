@@ -4,4 +4,4 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/surface_vertex.glsl"
 
-void main() { writeSurfaceVertex(instances[gl_InstanceIndex]); }
+void main() { writeSurfaceVertex(instanceOfVertex()); }

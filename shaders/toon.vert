@@ -7,7 +7,7 @@
 layout(location = kLocationDetail) sample out vec3 outDetail;  // no parameters; silhouette()
 
 void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
+  InstanceData instance = instanceOfVertex();
   writeSurfaceVertex(instance);
   outDetail = vec3(0, 0, silhouette(instance));
 }

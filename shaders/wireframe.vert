@@ -2,7 +2,7 @@
 // Vertices of a surface whose edges are drawn in one colour.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "lib/scene.glsl"
+#include "lib/instance_vertex.glsl"
 
 layout(location = 0) in vec3 inPosition;
 
@@ -11,7 +11,7 @@ layout(location = 0) flat out vec3 outDiffuse;
 invariant gl_Position;
 
 void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
+  InstanceData instance = instanceOfVertex();
   outDiffuse = materials[instance.material].diffuse;
   gl_Position = view.clipFromRelative * vec4(relativeFromObject(instance, inPosition), 1);
 }

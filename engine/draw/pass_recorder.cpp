@@ -203,9 +203,9 @@ void PassRecorder::draw(const DrawBatch& batch) {
   vkCmdSetCullMode(commands_, cullMode(batch.culling));
   vkCmdSetFrontFace(commands_, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
   const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices,
-                              batch.state.tangents ? mesh.tangents : mesh.vertices};
-  constexpr VkDeviceSize kOffsets[] = {0, 0, 0};
-  vkCmdBindVertexBuffers(commands_, 0, batch.state.tangents ? 3 : withParameters ? 2 : 1, streams, kOffsets);
+                              batch.state.tangents ? mesh.tangents : mesh.vertices, bindings_.instances};
+  constexpr VkDeviceSize kOffsets[] = {0, 0, 0, 0};
+  vkCmdBindVertexBuffers(commands_, 0, 4, streams, kOffsets);
   if (batch.shell)
     vkCmdBindIndexBuffer(commands_, bindings_.shellIndices, 0, VK_INDEX_TYPE_UINT32);
   else

@@ -34,11 +34,11 @@ shared::ViewData guarded(shared::ViewData view, float guard) {
 /// A buffer has at least one element, so that there is something to bind.
 template <class Element>
 void writeElements(gpu::Context& context, MirroredBuffer& buffer, const std::vector<Element>& elements,
-                   const char* name, bool always) {
+                   const char* name, bool always, VkBufferUsageFlags moreUsage = 0) {
   static const Element kNone{};
   const std::span<const Element> all(elements.empty() ? &kNone : elements.data(),
                                      std::max<std::size_t>(elements.size(), 1));
-  buffer.write(context, std::as_bytes(all), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, name, always);
+  buffer.write(context, std::as_bytes(all), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | moreUsage, name, always);
 }
 
 /// From one light set to the next.
@@ -217,7 +217,8 @@ void RenderView::upload(bool always) {
   const shared::ViewData view = guarded(list_.view, targets_.guard());
   uploads_.view.write(*context_, std::as_bytes(std::span(&view, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                       "view", always);
-  store(uploads_.instances, list_.instances, "instances");
+  writeElements(*context_, uploads_.instances, list_.instances, "instances", always,
+                VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   // As a uniform buffer it has room for as many as shaders say.
   std::vector<shared::MaterialData> materials = list_.materials;
   materials.resize(std::max<std::size_t>(materials.size(), shared::kUniformMaterials));
@@ -270,7 +271,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                        uploads_.materials.use(*context_),
                                        list_.runsShaders ? faults_ : uploads_.materials.use(*context_)});
   };
-  Bindings bindings{.scene = sceneOf(uploads_.instances)};
+  Bindings bindings{.scene = sceneOf(uploads_.instances), .instances = uploads_.instances.use(*context_)};
   if (!list_.patternParameters.empty())
     bindings.pattern = frames.descriptors().write(pipelines.layout(SceneSet::Pattern),
                                                   {uploads_.patternParameters.use(*context_)});

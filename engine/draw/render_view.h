@@ -82,6 +82,7 @@ class RenderView {
   /// What draws read, in an open recording.
   struct Bindings {
     VkDescriptorSet scene = VK_NULL_HANDLE;
+    VkBuffer instances = VK_NULL_HANDLE;            ///< of that, for vertices
     VkDescriptorSet pattern = VK_NULL_HANDLE;       ///< where a draw has a pattern
     VkDescriptorSet texture = VK_NULL_HANDLE;       ///< where a draw has a texture
     VkDescriptorSet foundTexture = VK_NULL_HANDLE;  ///< and lights what was found

@@ -89,6 +89,26 @@ std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, con
           {shared::kConstantCarries, !state.smallTriangles}};
 }
 
+/// What vertices of meshes are given of their instance.
+void addInstance(gpu::GraphicsPipelineDesc& desc) {
+  using shared::InstanceData;
+  constexpr std::uint32_t kBinding = 3;
+  desc.bindings.push_back({kBinding, sizeof(InstanceData), VK_VERTEX_INPUT_RATE_INSTANCE});
+  const auto add = [&](std::uint32_t place, VkFormat format, std::size_t offset) {
+    desc.attributes.push_back(
+        {shared::kLocationInstance + place, kBinding, format, static_cast<std::uint32_t>(offset)});
+  };
+  for (std::uint32_t column = 0; column < 3; ++column) {
+    add(column, VK_FORMAT_R32G32B32_SFLOAT,
+        offsetof(InstanceData, relativeFromObject) + column * sizeof(Vec3f));
+    add(4 + column, VK_FORMAT_R32G32B32_SFLOAT,
+        offsetof(InstanceData, normalFromObject) + column * sizeof(Vec3f));
+  }
+  add(3, VK_FORMAT_R32G32B32_SFLOAT, offsetof(InstanceData, translation));
+  add(7, VK_FORMAT_R32G32B32_UINT, offsetof(InstanceData, flags));
+  add(8, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(InstanceData, domain));
+}
+
 /// What vertices there are: of a mesh, a shell, or what rays have found.
 void setVertices(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   constexpr VkFormat kFloat2 = VK_FORMAT_R32G32_SFLOAT, kFloat3 = VK_FORMAT_R32G32B32_SFLOAT,
@@ -125,6 +145,7 @@ void setVertices(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
                      {2, sizeof(Vec4f), VK_VERTEX_INPUT_RATE_VERTEX}};
     desc.attributes = {
         {0, 0, kFloat3, 0}, {1, 0, kFloat3, sizeof(Vec3f)}, {2, 1, kFloat2, 0}, {5, 2, kFloat4, 0}};
+    addInstance(desc);
   }
 }
 

@@ -14,7 +14,7 @@ layout(location = 5) sample out float outDepth;
 invariant gl_Position;
 
 void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
+  InstanceData instance = instanceOfVertex();
   outPosition = positionOfVertex(instance);
   outNormal = normalOfVertex(instance);
   outParameters = inParameters;

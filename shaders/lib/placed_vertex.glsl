@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where vertices are: those of meshes in object space; or, with LUXO_RAY_POINT, of points that rays have found, each a
 // triangle around the place at which its pixel is sampled and so small that no other pixel is.
-#include "lib/scene.glsl"
+#include "lib/instance_vertex.glsl"
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec3 inNormal;

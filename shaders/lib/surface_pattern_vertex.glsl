@@ -22,7 +22,7 @@ layout(location = 18) sample out vec3 outRestNormal;  // of what has moved: then
 #endif
 
 void main() {
-  InstanceData instance = instances[gl_InstanceIndex];
+  InstanceData instance = instanceOfVertex();
   writeSurfaceVertex(instance);
   outDetail = vec3(inParameters, silhouette(instance));
   outParameterBounds = parameterBounds(instance);

@@ -115,6 +115,9 @@ LUXO_CONSTANT kConstantSpots = 25;          // the lights, a bit each, that are 
 LUXO_CONSTANT kCarriedLights = 2;
 LUXO_CONSTANT kCarriedShades = 1;
 
+// Of what vertices of meshes are given: the first of nine that are of the instance.
+LUXO_CONSTANT kLocationInstance = 7;
+
 // Where vertices of surfaces carry them, and what follows: u, v and the like.
 LUXO_CONSTANT kLocationLights = 8;
 LUXO_CONSTANT kLocationShades = kLocationLights + 2 * kCarriedLights;
