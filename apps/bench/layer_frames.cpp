@@ -32,7 +32,8 @@ Scene sheets(int count, double opacity) {
 
 /// A further layer costs (ratio - 1) / 7 of the other frame.
 void manySheets(benchmark::State& state, gpu::Context& context, double opacity) {
-  const FrameDesc desc{.size = kSize, .options = {.shading = Shading::Exact}, .times = {0}};
+  const FrameDesc desc{
+      .size = kSize, .options = {.shading = Shading::Exact, .skips = {.unchanged = false}}, .times = {0}};
   const Scene many = sheets(kMany, 0.5), one = sheets(1, opacity);
   LuxoFrames ours(context, many, desc), theirs(context, one, desc);
   sideBySide(
