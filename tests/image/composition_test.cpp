@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "draw/device_cloth_simulation.h"
 #include "image/srgb.h"
 #include "luxo_grandpa/lamp.h"
 #include "scene/scene_builder.h"
@@ -95,7 +97,8 @@ TEST_F(CompositionTest, OfEverySceneOfTheGallery) {
   int compared = 0;
   for (const EmbeddedScene& embedded : galleryScenes()) {
     SCOPED_TRACE(embedded.name);
-    const Scene scene = buildScene(galleryDescription(embedded));
+    Scene scene = buildScene(galleryDescription(embedded));
+    scene.set(std::make_shared<DeviceClothSimulation>(context()));
     const Snapshot snapshot = takeSnapshot(scene, scene.settings().time, kSize);
     if (hasLayers(snapshot, {}) || occludesAmbient(snapshot, {}) || tracesRays(snapshot, {})) continue;
     expectTheSame(snapshot, Shading::Exact, 1, kSameByShaders, kJumps);
