@@ -41,6 +41,8 @@ std::vector<std::string> scenesOf(const ShadowBench& bench) {
   return names;
 }
 
+int mapSizeOf(const ShadowWay& way) { return way.kind == Kind::None ? 0 : way.gridSize; }
+
 bool isUnbiased(const ShadowWay& way) {
   return way.kind == Kind::DepthMap && way.bias == 0 && way.slopeBias == 0 && way.normalOffset == 0 &&
          !way.receiverPlane;
@@ -117,9 +119,9 @@ std::string shadowCsv(const ShadowBench& bench) {
       "frame_ms_p10,frame_ms_p90,to_none,shadow_passes,shadow_rays_px,wrong_px,rms\n";
   for (const ShadowRow& row : bench.rows) {
     const ShadowWay& way = row.way;
-    csv += fmt::format("{},\"{}\",{},{},{},{},{},{},{},{},{},", row.scene, nameOf(way),
-                       way.kind == Kind::None ? 0 : way.gridSize, way.bias, way.slopeBias, way.normalOffset,
-                       way.receiverPlane ? 1 : 0, way.pcf, way.points, way.hasRadius ? 1 : 0, row.runs);
+    csv += fmt::format("{},\"{}\",{},{},{},{},{},{},{},{},{},", row.scene, nameOf(way), mapSizeOf(way),
+                       way.bias, way.slopeBias, way.normalOffset, way.receiverPlane ? 1 : 0, way.pcf,
+                       way.points, way.hasRadius ? 1 : 0, row.runs);
     csv += fmt::format("{:.3f},{:.3f},{:.3f},{:.4f},{},{},{},{}\n", row.frameMs.median, row.frameMs.p10,
                        row.frameMs.p90, ratioOf(bench, row), row.shadowPasses, row.rayPx,
                        textOf(row.wrongPx, "{}"), textOf(row.rms, "{:.6g}"));
@@ -140,7 +142,7 @@ std::string shadowJson(const ShadowBench& bench) {
   for (const ShadowRow& row : bench.rows)
     rows.push_back({{"scene", row.scene},
                     {"shadows", nameOf(row.way)},
-                    {"map_size", row.way.gridSize},
+                    {"map_size", mapSizeOf(row.way)},
                     {"bias", row.way.bias},
                     {"slope_bias", row.way.slopeBias},
                     {"normal_offset", row.way.normalOffset},
@@ -203,9 +205,10 @@ std::string shadowMarkdown(const ShadowBench& bench) {
     for (const Column& column : columns) {
       const auto row = std::ranges::find_if(
           bench.rows, [&](const ShadowRow& r) { return r.scene == scene && column.holds(r.way); });
-      table.rows.back().push_back(
-          fmt::format("{:.2g}, {}", ratioOf(bench, *row),
-                      row->rms ? fmt::format("{:.0e}", *row->rms) : fmt::format("{} px", *row->wrongPx)));
+      const double ratio = ratioOf(bench, *row);
+      const std::string wrong =
+          row->rms ? fmt::format("{:.0e}", *row->rms) : fmt::format("{} px", *row->wrongPx);
+      table.rows.back().push_back(fmt::format("{:.{}f}, {}", ratio, ratio < 10 ? 1 : 0, wrong));
     }
   }
   return inMarkdown(table);

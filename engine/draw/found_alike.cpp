@@ -51,8 +51,6 @@ bool same(const LightMapDrawn::Caster& a, const LightMapDrawn::Caster& b) {
   return a.mesh == b.mesh && sameBytes(a.clipFromObject, b.clipFromObject);
 }
 
-bool same(const FoundLayer& a, const FoundLayer& b) { return a.node == b.node && a.material == b.material; }
-
 bool same(const PlacedNode& a, const PlacedNode& b) { return a.node == b.node && a.material == b.material; }
 
 bool same(const LightGroup& a, const LightGroup& b);
@@ -71,20 +69,12 @@ bool same(const std::optional<LightMapDrawn>& a, const std::optional<LightMapDra
 bool same(const LightGroup& a, const LightGroup& b) {
   return a.lightSet == b.lightSet && a.transmits == b.transmits && a.plainLights == b.plainLights &&
          a.shadedLights == b.shadedLights && a.spots == b.spots && a.lights == b.lights &&
-         same(a.shadows, b.shadows) && same(a.layerShadows, b.layerShadows) &&
-         same(a.flatShadows, b.flatShadows) && same(a.map, b.map);
+         same(a.shadows, b.shadows) && same(a.flatShadows, b.flatShadows) && same(a.map, b.map);
 }
 
-bool same(const Layers& a, const Layers& b) {
-  return same(a.searches, b.searches) && same(a.meshes, b.meshes) && same(a.places, b.places) &&
-         a.placed == b.placed && same(a.found, b.found) && a.blend == b.blend && a.details == b.details;
-}
-
-/// Whether what comes through casters is theirs, whose colours and opacities tell how much.
-bool tints(const LightGroup& group) {
-  return !group.transmittances.empty() || !group.layerTransmittances.empty() ||
-         !group.flatTransmittances.empty();
-}
+/// Whether casters let some of the light through, whose colours and opacities tell how much, or end where
+/// their maps say: searches find them, or rays alone.
+bool tints(const LightGroup& group) { return group.transmits && !group.lights.empty(); }
 
 bool same(const Casters& a, const Casters& b) {
   return sameBytes(a.closed, b.closed) && sameBytes(a.meshes, b.meshes) && sameBytes(a.casters, b.casters) &&
@@ -94,9 +84,8 @@ bool same(const Casters& a, const Casters& b) {
 
 /// What finds points asks of a material whether it lets something through, and where it ends.
 bool findAlike(const shared::MaterialData& a, const shared::MaterialData& b) {
-  return a.flags == b.flags && a.blend == b.blend && (a.opacity == 0) == (b.opacity == 0) &&
-         a.leastOpaque == 0 && b.leastOpaque == 0 &&
-         (a.pattern == shared::kDrawnAgain) == (b.pattern == shared::kDrawnAgain);
+  return a.flags == b.flags && a.blend == b.blend && a.opacity == 0 && b.opacity == 0 && a.leastOpaque == 0 &&
+         b.leastOpaque == 0 && (a.pattern == shared::kDrawnAgain) == (b.pattern == shared::kDrawnAgain);
 }
 
 /// What is not about the light that a point reflects, or goes with points that are asked for it.
@@ -114,16 +103,12 @@ bool findAlike(const Material& a, const Material& b) {
 
 bool keepsWhatItFinds(const DrawList& list) {
   const auto isFused = [](const auto& draw) { return draw.state.form == Form::Fused; };
-  const auto readsPattern = [](const DrawBatch& batch) { return batch.state.pattern.valid(); };
   const bool drawsOver = !list.transparent.empty() || std::ranges::any_of(list.opaque, isFused) ||
                          std::ranges::any_of(list.found, isFused);
   const bool readsPatterns =
-      std::ranges::any_of(list.opaque, readsPattern) || std::ranges::any_of(list.layers.meshes, readsPattern);
-  const bool drawsLayersAgain =
-      std::ranges::any_of(list.groups, [](const LightGroup& group) { return !group.layerAgain.empty(); });
-  return list.deferred && !drawsOver && !readsPatterns && !drawsLayersAgain && !list.traces &&
-         std::ranges::none_of(list.groups, tints) &&
-         (list.groups.size() == 1 || !(list.findsShadows() || list.layers.any()));
+      std::ranges::any_of(list.opaque, [](const DrawBatch& batch) { return batch.state.pattern.valid(); });
+  return list.deferred && !drawsOver && !readsPatterns && !list.layers.any() && !list.traces &&
+         std::ranges::none_of(list.groups, tints) && (list.groups.size() == 1 || !list.findsShadows());
 }
 
 bool findsAlike(const Snapshot& last, const Snapshot& next) {
@@ -145,7 +130,7 @@ bool findsAlike(const DrawList& last, const DrawList& next) {
          sameBytes(last.exactParameters, next.exactParameters) && sameBytes(last.lightSets, next.lightSets) &&
          same(last.opaque, next.opaque) && same(last.found, next.found) && same(last.places, next.places) &&
          same(last.placed, next.placed) && same(last.groups, next.groups) &&
-         same(last.casters, next.casters) && same(last.layers, next.layers) &&
+         same(last.casters, next.casters) &&
          std::ranges::equal(
              last.materials, next.materials,
              [](const shared::MaterialData& a, const shared::MaterialData& b) { return findAlike(a, b); });

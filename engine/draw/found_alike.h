@@ -6,9 +6,9 @@
 
 namespace luxo {
 
-/// Whether what the passes of a list find stays in the targets, and in the lists of what is seen through,
-/// when they are done: of a deferred one whose lights' groups leave each other's shadows alone, with nothing
-/// that tints light, or sends rays, or is drawn over what is found.
+/// Whether what the passes of a list find stays in the targets when they are done: of a deferred one whose
+/// lights' groups leave each other's shadows alone, with nothing that is seen through, or lets light through,
+/// or sends rays, or is drawn over what is found.
 [[nodiscard]] bool keepsWhatItFinds(const DrawList& list);
 
 /// Whether two moments differ in what materials look like and in the background alone: what rays find, too,

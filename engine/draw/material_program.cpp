@@ -231,7 +231,7 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
                            name),
                "compute it in a function, or make it a constant");
   }
-  for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMostRounds", "LUXO_ASKS"})
+  for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMaxRounds", "LUXO_ASKS"})
     refuseWord(own, fmt::format("'{}' is a name of luxo's own", own), "choose another one");
   if (std::ranges::count(interface.calls, "luxoStops") < std::int64_t{interface.loops})
     throw Error(ErrorKind::Scene, fmt::format("{}: a macro spells a loop, which may have no end", file),

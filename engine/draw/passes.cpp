@@ -218,8 +218,8 @@ class DeferredPasses {
   std::vector<Pass> passes_;
 };
 
-/// What is seen through: its points are found, in any order, unless they are only lit again; lit by one group
-/// of lights after the other; and blended over what is not.
+/// What is seen through: its points are found, in any order, lit by one group of lights after the other, and
+/// blended over what is not.
 void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, bool replaces,
                std::vector<Pass>& passes) {
   std::vector<Target> reads{Target::Depth};
@@ -231,18 +231,17 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
     pass.band = band;
     passes.push_back(std::move(pass));
   };
-  const bool finds = !replaces && !frame.relights;
   // Draws of one pass add points. Those that read what others have written are in passes of their own.
-  if (finds)
+  if (!replaces)
     add("layers", {.searches = true,
                    .batches = list.layers.meshes,
                    .casters = list.layers.searches,
                    .clearsLayers = true});
-  if (finds && !list.layers.places.empty())
+  if (!replaces && !list.layers.places.empty())
     add("places of layers", {.searches = true, .casters = list.layers.places});
   if (frame.rays) add("layers of rays", {.rays = frame.rays});
   // A point holds the shadows of one group.
-  const bool shadowsStay = !finds && list.groups.size() == 1;
+  const bool shadowsStay = replaces && list.groups.size() == 1;
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     const LightGroup& group = list.groups[i];
     for (const std::span<const CasterDraw> casters :
@@ -251,7 +250,7 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
         add("layer shadows", {.searches = true, .group = i, .casters = casters.subspan(k, 1)});
     // That of the first group comes with the points that rays have found.
     if (frame.rays && i > 0) add("light on layers of rays", {.group = i, .rays = frame.rays});
-    if (group.map && group.lightsLayers() && !frame.relights) {
+    if (group.map && group.lightsLayers()) {
       passes.push_back(lightDepths(i));
       add("light map on layers", {.group = i, .readsLightMap = true});
       passes.back().reads.push_back(Target::LightDepth);
@@ -271,11 +270,7 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
 }  // namespace
 
 std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
-  if (frame.relights) {
-    std::vector<Pass> passes = DeferredPasses(list, frame, false).ofLight();
-    if (list.layers.any()) addLayers(list, frame, {0, 1}, false, passes);
-    return passes;
-  }
+  if (frame.relights) return DeferredPasses(list, frame, false).ofLight();
   const Opaque opaque = opaqueOf(list);
   const bool searches = list.exact();
   std::vector<Pass> passes;

@@ -168,7 +168,7 @@ bool RenderView::hasFound(const Snapshot& snapshot, const DrawList& list, const 
                           const gpu::FrameRing& frames) const {
   return recorded_ && recorded_->frames == &frames && recorded_->thrownAway == frames.thrownAway() &&
          options_ == options && keepsWhatItFinds(list) && findsAlike(recorded_->snapshot, snapshot) &&
-         findsAlike(list_, list) && (!list.layers.any() || layerLists_.bands() == 1);
+         findsAlike(list_, list);
 }
 
 void RenderView::recorded(const Snapshot& snapshot, const gpu::FrameRing& frames) {

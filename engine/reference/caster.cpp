@@ -313,8 +313,9 @@ Caster::Sight Caster::look(const Beam& beam, const Range& range, Invisible invis
 }
 
 const Hit* Caster::firstShown(const Sight& sight) const {
+  // A number as devices have it, so that both decide alike.
   const auto first = std::ranges::find_if(sight.hits, [this](const Hit& hit) {
-    return !materialOf(hit.node).hasHoles() || opacityOf(hit) >= kLeastShown;
+    return !materialOf(hit.node).hasHoles() || static_cast<float>(opacityOf(hit)) >= float{kLeastShown};
   });
   return first == sight.hits.end() ? nullptr : &*first;
 }

@@ -167,7 +167,7 @@ vec3 lit(Found found) {
 #endif
   luxoMoved = false;
   vec4 color = luxoMaterial(materialPoint(found));
-  if (luxoRounds > kLuxoMostRounds) {
+  if (luxoRounds > kLuxoMaxRounds) {
     atomicAdd(shaderFaults.endless, 1u);
     return infinities(kFaultEndless);
   }

@@ -63,9 +63,9 @@ vec4 material(Point p);
 
 // Loops of shaders end after so many rounds, all loops of a point together: draw/bounded_loops.h has them ask. Half of
 // where Mesa's llvmpipe ends a loop by itself, and tells nobody (LP_MAX_TGSI_LOOP_ITERATIONS, 65535).
-const uint kLuxoMostRounds = 32768;
+const uint kLuxoMaxRounds = 32768;
 uint luxoRounds = 0;
-bool luxoStops() { return ++luxoRounds > kLuxoMostRounds; }
+bool luxoStops() { return ++luxoRounds > kLuxoMaxRounds; }
 #define LUXO_ASKS if (luxoStops()) break; else
 
 // Whether a vertex program (lib/course_point.glsl) has led its vertex away from the point.

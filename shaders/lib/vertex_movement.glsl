@@ -82,5 +82,5 @@ void main() {
   luxoRounds = 0;
   luxoMoveVertex(vertices[vertex].uv);
   positions[state * range.vertices + vertex] = gL_Position;
-  if (luxoRounds > kLuxoMostRounds) atomicAdd(endless, 1u);
+  if (luxoRounds > kLuxoMaxRounds) atomicAdd(endless, 1u);
 }

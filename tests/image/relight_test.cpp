@@ -175,31 +175,39 @@ TEST_F(Relighting, InTheShadowsOfADepthMapToo) {
   }
 }
 
-// Of glass that casts no shadow: the light in that would have its colour.
-TEST_F(Relighting, OfWhatIsSeenThroughToo) {
+// Casters that let light through and that rays alone look for, as one without an end; and what is cut out and
+// casts a planar shadow: neither is in the picture.
+TEST_F(Relighting, NothingIsLitAgainWhereCastersLetLightThrough) {
   Room room;
-  room.light.shadow = Light::Shadow::None;
-  room.materials[1].opacity = 0.5;
-  const FrameCounts first = renderer().render(room.snapshot(), room.options).statistics.count;
-  EXPECT_GT(first.layerPoints, 0U);
-  std::vector<Edit> edits = paintings();
-  edits.push_back([](Room& r) { r.materials[1].opacity = 0.8; });
-  edits.push_back([](Room& r) { r.materials[1].diffuse = {0.1, 0.1, 1}; });
-  for (std::size_t i = 0; i < edits.size(); ++i) {
-    SCOPED_TRACE(i);
-    edits[i](room);
-    const Picture again = renderer().render(room.snapshot(), room.options), fresh = anew(room);
-    EXPECT_TRUE(sameBytes(again.image, fresh.image));
-    const FrameCounts& count = again.statistics.count;
-    EXPECT_EQ(count.submits, 1U);
-    EXPECT_EQ(count.passes, 3U);  // the light on what is opaque, and on what is not, and that over it
-    EXPECT_EQ(count.layerPoints, first.layerPoints);
-    EXPECT_EQ(again.statistics.error.unconvergedPx, 0U);
+  room.endless = true;
+  room.height = 2;
+  room.materials[1].opacity = 0.3;
+  room.materials[1].blend = Blend::Multiply;
+  room.camera = {.eye = Vec3(2.5, 1, 4.5), .lookAt = Vec3(0, -0.6, 0)};
+  for (const Vec3& color : {Vec3(0.9, 0.2, 0.1), Vec3(0.1, 0.2, 0.9)}) {
+    room.materials[1].diffuse = color;
+    EXPECT_TRUE(sameBytes(renderer().render(room.snapshot(), room.options).image, anew(room).image));
   }
-  room.light.shadow = Light::Shadow::Exact;
-  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
-  room.materials[1].diffuse = {0.1, 1, 0.1};
-  EXPECT_TRUE(sameBytes(renderer().render(room.snapshot(), room.options).image, anew(room).image));
+
+  Scene scene;
+  scene.set(RenderSettings{.ambient = Vec3(0.2)});
+  scene.add(Node{.name = "floor", .surface = rectangle(8, 8), .material = scene.add(Material{})});
+  Material cutOut{.twoSided = TwoSided::Yes, .map = {.texture = chequered(0.5f)}};
+  cutOut.mapOpacity = true;
+  cutOut.cutoff = 0.5;
+  const MaterialId leaf = scene.add(cutOut);
+  scene.add(Node{.translation = Vec3(0, 4, 0), .surface = rectangle(2, 2), .material = leaf});
+  scene.add(
+      Node{.translation = Vec3(0, 8, 0),
+           .light = Light{.intensity = 0.9, .shadow = Light::Shadow::Planar, .shadowPlane = NodeId{0}}});
+  const Camera camera{.eye = Vec3(0, 2, 4), .lookAt = Vec3(0, 0, 0)};
+  for (const double offset : {0.0, 0.3}) {
+    cutOut.map.offset = {offset, 0};
+    scene.set(leaf, cutOut);
+    const Snapshot snapshot = takeSnapshot(scene, 0, kRelightSize, camera);
+    Renderer fresh(context());
+    EXPECT_TRUE(sameBytes(renderer().render(snapshot).image, fresh.render(snapshot).image)) << offset;
+  }
 }
 
 TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {

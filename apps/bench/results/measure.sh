@@ -26,9 +26,9 @@ show() {  # MARK FILE: the file's first table, between the mark's two ends
     !inside { print }
     $0 == "<!-- " mark ": begin -->" {
       inside = 1
-      while ((getline line < file) > 0 && line != "") print line
+      while ((getline line < file) > 0 && line != "") { print line; ++lines }
     }
-    END { exit !ends || inside }' "$readme" >"$updated"
+    END { exit !ends || inside || !lines }' "$readme" >"$updated"
   cat "$updated" >"$readme"
 }
 show bench "$here/summary.md"

@@ -19,12 +19,12 @@ namespace tbb {
 namespace threads {
 
 /// At most this many beside those that begin loops; more than there are cores, as races need not be fast.
-inline constexpr int kMostHelpers = 3;
+inline constexpr int kMaxHelpers = 3;
 
-inline std::atomic<int> free = kMostHelpers;
+inline std::atomic<int> free = kMaxHelpers;
 
 /// Of the arena that this thread is in.
-inline thread_local int limit = kMostHelpers + 1;
+inline thread_local int limit = kMaxHelpers + 1;
 
 class Limit {
  public:
@@ -101,7 +101,7 @@ class task_arena {
   static constexpr int automatic = -1;
 
   explicit task_arena(int threads = automatic)
-      : threads_(threads == automatic ? threads::kMostHelpers + 1 : threads) {}
+      : threads_(threads == automatic ? threads::kMaxHelpers + 1 : threads) {}
   task_arena(const task_arena&) = delete;
   task_arena& operator=(const task_arena&) = delete;
 
@@ -130,7 +130,7 @@ class global_control {
   enum parameter { max_allowed_parallelism };
 
   global_control(parameter, std::size_t threads)
-      : taken_(std::max(0, threads::kMostHelpers + 1 - static_cast<int>(threads))) {
+      : taken_(std::max(0, threads::kMaxHelpers + 1 - static_cast<int>(threads))) {
     threads::free.fetch_sub(taken_, std::memory_order_relaxed);
   }
   ~global_control() { threads::free.fetch_add(taken_, std::memory_order_relaxed); }
