@@ -38,8 +38,8 @@ constexpr std::array<BenchedScene, 3> kScenes = {{
     {"teapot on its table", R"({ "surface": "teapot" })"},
 }};
 
-/// Of the time of a scene: rays and biases, and what is timed; the rest is judging.
-constexpr double kTruthPart = 0.2, kTimedPart = 0.5;
+/// Of the time of a scene: rays, biases, and what is timed; the rest is judging.
+constexpr double kTruthPart = 0.1, kBiasPart = 0.5, kTimedPart = 0.3;
 
 constexpr double kRadius = 0.6;  // metres, of a lamp with soft shadows
 
@@ -121,13 +121,15 @@ ShadowWay depthMap(BiasKind kind, double amount, int mapSize) {
 /// What each bias leaves wrong in maps of each size; nothing once `goesOn` says no.
 std::optional<std::vector<BiasRow>> sweepBiases(gpu::Context& context, const BenchedScene& scene,
                                                 const Snapshot& exact, const ReferencePicture& truth,
-                                                const ShadowPlan& plan, const std::function<bool()>& goesOn) {
+                                                const ShadowPlan& plan,
+                                                const std::function<bool(double)>& goesOn) {
   std::vector<BiasRow> rows;
+  const std::size_t all = (plan.constantBiases.size() + 2 * plan.texelBiases.size()) * plan.mapSizes.size();
   Renderer renderer(context);
   for (const BiasKind kind : kBiasKinds)
     for (const double amount : kind == BiasKind::Constant ? plan.constantBiases : plan.texelBiases)
       for (const int size : plan.mapSizes) {
-        if (!goesOn()) return std::nullopt;
+        if (!goesOn(static_cast<double>(rows.size()) / static_cast<double>(all))) return std::nullopt;
         const Snapshot snapshot = takeSnapshot(sceneOf(scene, depthMap(kind, amount, size)), 0, plan.size);
         rows.push_back(
             {.scene = scene.name,
@@ -230,8 +232,8 @@ std::optional<ShadowBench> benchShadows(gpu::Context& context, const ShadowPlan&
     const auto goesOnAt = [&](double part) {
       return goesOn((static_cast<double>(i) + part) / kScenes.size());
     };
-    const auto biases =
-        sweepBiases(context, kScenes[i], exact, truth, plan, [&] { return goesOnAt(kTruthPart); });
+    const auto biases = sweepBiases(context, kScenes[i], exact, truth, plan,
+                                    [&](double part) { return goesOnAt(kTruthPart + kBiasPart * part); });
     if (!biases) return std::nullopt;
     bench.biases.insert(bench.biases.end(), biases->begin(), biases->end());
     std::list<ShadowContestant> contestants;  // a renderer does not move
@@ -240,7 +242,7 @@ std::optional<ShadowBench> benchShadows(gpu::Context& context, const ShadowPlan&
       contestants.emplace_back(context, kScenes[i], way, plan.size);
     for (int run = -1; run < plan.runs; ++run)
       for (ShadowContestant& c : contestants) {
-        if (!goesOnAt(kTruthPart + kTimedPart * (run + 1) / (plan.runs + 1))) return std::nullopt;
+        if (!goesOnAt(kTruthPart + kBiasPart + kTimedPart * (run + 1) / (plan.runs + 1))) return std::nullopt;
         if (run > 0 && c.hasTakenMuch(plan.muchMs)) continue;
         c.drawTimed();
         if (run < 0) c.frameMs.clear();  // pipelines, meshes and maps were made
