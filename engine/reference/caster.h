@@ -47,6 +47,9 @@ inline constexpr int kMaxLayers = 1024;  ///< of surfaces that are seen through,
 /// and columns, and as far off as the mesh is, a pixel at most by what normals between vertices add to that.
 inline constexpr double kDrawnEdgePx = 2.5;
 
+/// Of a pixel: the step of differences that measure derivatives, which leave some 1e-4 of these.
+inline constexpr double kDerivativePx = 1e-4;
+
 /// When the cells of surfaces that have no closed form are built: at once, all of them; or by prepareFor().
 enum class Cells { AtOnce, WhereRaysGo };
 
