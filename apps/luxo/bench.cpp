@@ -284,8 +284,7 @@ void addBench(CLI::App& app, Command& chosen) {
   verb->get_option("SCENE")->description(
       "scene file, built-in name, `standard`: the standard set, `shadows`: what shadows cost, and "
       "what is wrong with them (shadows.html, .md, .csv, .json, .svg, shadow_biases.csv), or `reload`: from "
-      "a shader that is saved "
-      "to its picture (reload.json)");
+      "a shader that is saved to its picture (reload.json)");
   verb->get_option("--size")->description("size in pixels (1024x1024)");
   verb->add_option(
           "-o,--output", options->folder,

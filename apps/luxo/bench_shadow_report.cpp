@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bench_page.h"
+#include "scene/light.h"
 #include "text_table.h"
 
 namespace luxo {
@@ -51,6 +52,13 @@ bool isUnbiased(const ShadowWay& way) {
 int smallestMap(const ShadowBench& bench) { return bench.biases.front().mapSize; }
 int largestMap(const ShadowBench& bench) {
   return std::ranges::max_element(bench.biases, {}, &BiasRow::mapSize)->mapSize;
+}
+
+/// That of a light whose size is not given, where it was drawn.
+int usualMap(const ShadowBench& bench) {
+  const int usual = static_cast<int>(ShadowMap{}.size);
+  return std::ranges::find(bench.biases, usual, &BiasRow::mapSize) != bench.biases.end() ? usual
+                                                                                         : largestMap(bench);
 }
 
 TextTable waysTable(const ShadowBench& bench) {
@@ -176,14 +184,12 @@ std::string shadowMarkdown(const ShadowBench& bench) {
     std::string head;
     std::function<bool(const ShadowWay&)> holds;
   };
-  const int largest = largestMap(bench);
-  const auto isMap = [&](const ShadowWay& way) {
-    return way.kind == Kind::DepthMap && way.gridSize == largest;
-  };
+  const int size = usualMap(bench);
+  const auto isMap = [&](const ShadowWay& way) { return way.kind == Kind::DepthMap && way.gridSize == size; };
   std::vector<Column> columns = {
       {"exact, map of 64",
        [](const ShadowWay& way) { return way.kind == Kind::Exact && way.gridSize == 64; }},
-      {fmt::format("depth map of {}", largest),
+      {fmt::format("depth map of {}", size),
        [&](const ShadowWay& way) { return isMap(way) && isUnbiased(way); }},
       {"slope bias, tuned",
        [&](const ShadowWay& way) {
