@@ -202,6 +202,7 @@ void PassRecorder::draw(const DrawBatch& batch) {
   gpu::setDepthBias(commands_, biasOf(batch));
   vkCmdSetCullMode(commands_, cullMode(batch.culling));
   vkCmdSetFrontFace(commands_, batch.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  // All bindings of scene_pipelines.cpp; what is not read may be anything.
   const VkBuffer streams[] = {mesh.vertices, withParameters ? mesh.parameters : mesh.vertices,
                               batch.state.tangents ? mesh.tangents : mesh.vertices, bindings_.instances};
   constexpr VkDeviceSize kOffsets[] = {0, 0, 0, 0};

@@ -35,7 +35,7 @@ const int kMaxEvaluations = LUXO_EVALUATIONS;  // of a ray; a few dozen where it
 // counted by both rectangles; were this too little, rounding might leave it to neither. Both are open, for rays. Chosen.
 const float kBorder = 1e-4;
 
-const float kGrain = 3e-4;         // pixels: a surface ends as near to where it should
+const float kGrain = 3e-4;        // pixels: a surface ends as near to where it should
 const float kMaxRounding = 4e-3;  // pixels
 
 struct CellRay {
