@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file_suffix.h"
@@ -25,12 +26,12 @@ Model readModel(const std::filesystem::path& path, const ModelOptions& options) 
     throw Error(ErrorKind::Usage, fmt::format("'{}' does not name a model", path.string()),
                 "models are .obj, .gltf, .glb, .ply, .stl");
   const std::string suffix = fileSuffix(path);
-  const FileBytes bytes = options.from.read(path);
+  FileBytes bytes = options.from.read(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   const ModelSource source(path, options);
   Model model = suffix == ".obj"   ? readObj(source, text)
                 : suffix == ".ply" ? readPly(source, text)
-                : suffix == ".stl" ? readStl(source, text)
+                : suffix == ".stl" ? readStl(source, std::move(bytes))
                                    : readGltf(source, text);
   model.files = source.files();
   return model;

@@ -69,9 +69,10 @@ class ModelSource {
 };
 
 /// Readers of one format each; the bytes are those of the source's file. One mesh at one node, but for glTF.
+/// That of STL lets go of them before it makes the mesh.
 [[nodiscard]] Model readObj(const ModelSource& source, std::string_view text);
 [[nodiscard]] Model readPly(const ModelSource& source, std::string_view bytes);
-[[nodiscard]] Model readStl(const ModelSource& source, std::string_view bytes);
+[[nodiscard]] Model readStl(const ModelSource& source, FileBytes file);
 [[nodiscard]] Model readGltf(const ModelSource& source, std::string_view bytes);
 
 }  // namespace luxo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // STL, as 3D Systems defined it: triangles, as text or as 50 bytes each. Coordinates are taken for metres;
-// the normals of facets are made anew.
+// the normals of facets are made anew. Facets give each corner its own point: equal ones are welded as they
+// are read, since a point has some six corners.
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -8,6 +9,7 @@
 
 #include "mesh/binary.h"
 #include "mesh/text_lines.h"
+#include "mesh/welding.h"
 
 namespace luxo {
 namespace {
@@ -16,8 +18,9 @@ constexpr std::size_t kHeaderBytes = 80, kFacetBytes = 50;
 
 MeshArrays readBinary(const ModelSource& source, std::string_view bytes) {
   MeshArrays arrays;
+  WeldedPoints points;
   const auto facets = readNumber<std::uint32_t>(bytes, kHeaderBytes, std::endian::little);
-  arrays.positions.reserve(3 * std::size_t(facets));
+  arrays.indices.reserve(3 * std::size_t(facets));
   for (std::size_t i = 0; i < facets; ++i)
     for (std::size_t corner = 0; corner < 3; ++corner) {
       Vec3 point;
@@ -28,9 +31,9 @@ MeshArrays readBinary(const ModelSource& source, std::string_view bytes) {
       if (!(glm::length(point) <= kMaxCoordinate))
         refuseModel(source.name(),
                     fmt::format("facet {} has a corner at ({}, {}, {})", i, point.x, point.y, point.z));
-      arrays.indices.push_back(std::uint32_t(arrays.positions.size()));
-      arrays.positions.push_back(point);
+      arrays.indices.push_back(points.numberOf(point));
     }
+  arrays.positions = points.take();
   return arrays;
 }
 
@@ -49,6 +52,7 @@ bool beginsWithSolid(std::string_view bytes) {
 
 MeshArrays readText(const ModelSource& source, std::string_view text) {
   MeshArrays arrays;
+  WeldedPoints points;
   TextLines lines(source.name(), text);
   std::size_t corners = 0;
   while (lines.nextLine()) {
@@ -57,8 +61,7 @@ MeshArrays readText(const ModelSource& source, std::string_view text) {
       if (++corners > 3) lines.refuse("a facet of more than three vertices");
       Vec3 point;
       for (int k = 0; k < 3; ++k) point[k] = lines.number("a coordinate");
-      arrays.indices.push_back(std::uint32_t(arrays.positions.size()));
-      arrays.positions.push_back(point);
+      arrays.indices.push_back(points.numberOf(point));
     } else if (key == "endloop") {
       if (corners != 3) lines.refuse(fmt::format("a facet of {} vertices", corners));
       corners = 0;
@@ -68,12 +71,14 @@ MeshArrays readText(const ModelSource& source, std::string_view text) {
     }
   }
   if (corners != 0) lines.refuse("the file ends within a facet");
+  arrays.positions = points.take();
   return arrays;
 }
 
 }  // namespace
 
-Model readStl(const ModelSource& source, std::string_view bytes) {
+Model readStl(const ModelSource& source, FileBytes file) {
+  const std::string_view bytes(reinterpret_cast<const char*>(file->data()), file->size());
   const bool counted = bytes.size() >= kHeaderBytes + 4;
   const std::size_t told = counted ? readNumber<std::uint32_t>(bytes, kHeaderBytes, std::endian::little) : 0,
                     whole = kHeaderBytes + 4 + kFacetBytes * told;
@@ -88,6 +93,7 @@ Model readStl(const ModelSource& source, std::string_view bytes) {
   model.materials.push_back({.name = "default"});
   MeshArrays arrays = text ? readText(source, bytes) : readBinary(source, bytes);
   if (arrays.indices.empty()) refuseModel(source.name(), "it has no facets");
+  file.reset();  // the mesh needs the room
   source.tellProgress(0.4);
   source.addOnlyMesh(model, std::move(arrays), NormalRule::Flat);
   return model;

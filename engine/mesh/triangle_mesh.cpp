@@ -175,14 +175,6 @@ std::vector<MeshGroup> groupByMaterial(std::vector<std::uint32_t>& indices,
   return groups;
 }
 
-template <class T>
-std::vector<T> reordered(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  if (values.empty()) return {};
-  std::vector<T> result(order.size());
-  std::transform(order.begin(), order.end(), result.begin(), [&](std::uint32_t i) { return values[i]; });
-  return result;
-}
-
 /// Makes front faces of those that most normals point out of.
 void turnFronts(const MeshVertices& vertices, std::vector<std::uint32_t>& indices) {
   double facing = 0;
@@ -237,18 +229,24 @@ TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name, const MeshOp
   data->dropped = dropTriangles(vertices.positions, arrays);
   if (arrays.indices.empty()) refuse(name, "it has no triangle with an area");
   if (data->dropped > 0) edges = edgesOf(vertices.positions, arrays.indices);
-  giveNormals(vertices, arrays.indices, std::move(edges), arrays.smoothing, options);
-  if (options.tangents) data->tangents = giveTangents(vertices, arrays.indices);
+  std::vector<std::uint32_t> normalOf =
+      giveNormals(vertices, arrays.indices, std::move(edges), arrays.smoothing, options);
+  if (options.tangents) {
+    vertices.normals = reordered(vertices.normals, normalOf);
+    data->tangents = giveTangents(vertices, arrays.indices);
+    normalOf.clear();
+  }
   data->groups = groupByMaterial(arrays.indices, arrays.materials);
 
   std::vector<std::uint32_t> order;
   data->clusters = makeClusters(vertices.positions, arrays.indices, data->groups, order);
   vertices.positions = reordered(vertices.positions, order);
-  vertices.normals = reordered(vertices.normals, order);
   vertices.uvs = reordered(vertices.uvs, order);
   vertices.rest = reordered(vertices.rest, order);
   vertices.restNormals = reordered(vertices.restNormals, order);
   data->tangents = reordered(data->tangents, order);
+  if (!normalOf.empty()) order = reordered(std::exchange(normalOf, {}), order);
+  vertices.normals = reordered(vertices.normals, order);
   data->indices = std::move(arrays.indices);
   boundClusters(data->clusters, vertices.positions, data->origin, data->indices);
   for (const MeshCluster& cluster : data->clusters) data->bounds.add(cluster.bounds);

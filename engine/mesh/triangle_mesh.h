@@ -158,7 +158,8 @@ class TriangleMesh {
 /// the value: numbers that are not finite or too large, indices beyond the end, arrays whose lengths do not
 /// agree, no triangle with an area, tangents without uvs. In parallel; the mesh does not depend on the number
 /// of threads. Cost, of a closed million: about 0.45 s on one core, 75 bytes a triangle meanwhile, and 25 of
-/// what stays, 12 more with uvs and tangents.
+/// what stays, 12 more with uvs and tangents; with flat normals 120 meanwhile, and 85 of what stays, since
+/// three vertices a triangle are its own.
 [[nodiscard]] TriangleMesh triangleMesh(MeshArrays arrays, std::string_view name = "mesh",
                                         const MeshOptions& options = {});
 

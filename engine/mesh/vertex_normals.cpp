@@ -31,6 +31,7 @@ class NormalMaker {
 
   [[nodiscard]] CornerNormals flat() const {
     CornerNormals flat{.numbers = std::vector<std::uint32_t>(indices_.size())};
+    flat.normals.reserve(indices_.size() / 3);
     for (std::uint32_t corner = 0; corner < indices_.size(); ++corner) {
       if (corner % 3 == 0) flat.normals.push_back(unitFloat(triangleNormal(corner)));
       flat.numbers[corner] = corner / 3;
@@ -106,84 +107,98 @@ class NormalMaker {
   double cosCrease_;
 };
 
+/// By the numbers of what it is made of: a vertex that is given, and a normal.
+struct WeldedVertex {
+  std::uint32_t given = 0, normal = 0;
+};
+
 /// Vertices that differ, as they come.
 class WeldedVertices {
  public:
-  explicit WeldedVertices(const MeshVertices& given)
-      : given_(given), uvs_(!given.uvs.empty()), rest_(!given.rest.empty()) {}
+  WeldedVertices(const MeshVertices& given, const std::vector<Vec3f>& normals)
+      : given_(given), normals_(normals) {}
 
   /// Of a vertex that is given, with that normal.
-  std::uint32_t numberOf(std::uint32_t vertex, const Vec3f& normal) {
-    const auto last = std::uint32_t(vertices_.positions.size());
-    vertices_.positions.push_back(given_.positions[vertex]);
-    vertices_.normals.push_back(normal);
-    if (uvs_) vertices_.uvs.push_back(given_.uvs[vertex]);
-    if (rest_) {
-      vertices_.rest.push_back(given_.rest[vertex]);
-      vertices_.restNormals.push_back(given_.restNormals[vertex]);
-    }
+  std::uint32_t numberOf(std::uint32_t vertex, std::uint32_t normal) {
+    const auto last = std::uint32_t(vertices_.size());
+    vertices_.push_back({vertex, normal});
     const std::uint32_t number = table_.firstEqual(last);
-    if (number != last) {
-      vertices_.positions.pop_back();
-      vertices_.normals.pop_back();
-      if (uvs_) vertices_.uvs.pop_back();
-      if (rest_) {
-        vertices_.rest.pop_back();
-        vertices_.restNormals.pop_back();
-      }
-    }
+    if (number != last) vertices_.pop_back();
     return number;
   }
-  [[nodiscard]] MeshVertices take() { return std::move(vertices_); }
+  [[nodiscard]] std::vector<WeldedVertex> take() { return std::move(vertices_); }
 
  private:
   struct Hash {
     const WeldedVertices& welded;
     std::uint64_t operator()(std::uint32_t i) const {
-      const MeshVertices& vertices = welded.vertices_;
-      std::uint64_t hash = mixed(mixed(0, vertices.positions[i]), vertices.normals[i]);
-      if (welded.rest_) hash = mixed(mixed(hash, vertices.rest[i]), vertices.restNormals[i]);
-      return welded.uvs_ ? mixed(hash, vertices.uvs[i]) : hash;
+      const MeshVertices& given = welded.given_;
+      const auto [vertex, normal] = welded.vertices_[i];
+      std::uint64_t hash = mixed(mixed(0, given.positions[vertex]), welded.normals_[normal]);
+      if (!given.rest.empty()) hash = mixed(mixed(hash, given.rest[vertex]), given.restNormals[vertex]);
+      return given.uvs.empty() ? hash : mixed(hash, given.uvs[vertex]);
     }
   };
   struct Equal {
     const WeldedVertices& welded;
     bool operator()(std::uint32_t i, std::uint32_t j) const {
-      const MeshVertices& vertices = welded.vertices_;
-      return vertices.positions[i] == vertices.positions[j] && vertices.normals[i] == vertices.normals[j] &&
-             (!welded.uvs_ || vertices.uvs[i] == vertices.uvs[j]) &&
-             (!welded.rest_ ||
-              (vertices.rest[i] == vertices.rest[j] && vertices.restNormals[i] == vertices.restNormals[j]));
+      const MeshVertices& given = welded.given_;
+      const auto [a, normalA] = welded.vertices_[i];
+      const auto [b, normalB] = welded.vertices_[j];
+      return given.positions[a] == given.positions[b] &&
+             welded.normals_[normalA] == welded.normals_[normalB] &&
+             (given.uvs.empty() || given.uvs[a] == given.uvs[b]) &&
+             (given.rest.empty() ||
+              (given.rest[a] == given.rest[b] && given.restNormals[a] == given.restNormals[b]));
     }
   };
 
   const MeshVertices& given_;
-  bool uvs_, rest_;
-  MeshVertices vertices_;
+  const std::vector<Vec3f>& normals_;
+  std::vector<WeldedVertex> vertices_;
   WeldingTable<Hash, Equal> table_{Hash{*this}, Equal{*this}};
 };
 
-void weld(MeshVertices& vertices, std::vector<std::uint32_t>& indices, const CornerNormals& corners) {
+std::vector<std::uint32_t> weld(MeshVertices& vertices, std::vector<std::uint32_t>& indices,
+                                CornerNormals corners) {
   constexpr std::uint32_t kNone = 0xffffffff;
-  WeldedVertices welded(vertices);
-  // Corners that share a normal mostly share a vertex, too: then there is nothing to search for.
-  struct Vertex {
-    std::uint32_t given = kNone, welded = kNone;
-  };
-  std::vector<Vertex> lastOf(corners.normals.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    const std::uint32_t normal = corners.numbers[i];
-    Vertex& last = lastOf[normal];
-    if (last.given != indices[i]) last = {indices[i], welded.numberOf(indices[i], corners.normals[normal])};
-    indices[i] = last.welded;
+  std::vector<WeldedVertex> distinct;
+  {
+    const std::vector<std::uint32_t> numbers = std::move(corners.numbers);
+    WeldedVertices welded(vertices, corners.normals);
+    // Corners that share a normal mostly share a vertex, too: then there is nothing to search for.
+    struct Vertex {
+      std::uint32_t given = kNone, welded = kNone;
+    };
+    std::vector<Vertex> lastOf(corners.normals.size());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      Vertex& last = lastOf[numbers[i]];
+      if (last.given != indices[i]) last = {indices[i], welded.numberOf(indices[i], numbers[i])};
+      indices[i] = last.welded;
+    }
+    distinct = welded.take();
   }
-  vertices = welded.take();
+  std::vector<std::uint32_t> vertexOf, normalOf;
+  vertexOf.reserve(distinct.size());
+  normalOf.reserve(distinct.size());
+  for (const auto& [vertex, normal] : distinct) {
+    vertexOf.push_back(vertex);
+    normalOf.push_back(normal);
+  }
+  distinct = std::vector<WeldedVertex>();
+  vertices.normals = std::move(corners.normals);
+  vertices.positions = reordered(vertices.positions, vertexOf);
+  vertices.uvs = reordered(vertices.uvs, vertexOf);
+  vertices.rest = reordered(vertices.rest, vertexOf);
+  vertices.restNormals = reordered(vertices.restNormals, vertexOf);
+  return normalOf;
 }
 
 }  // namespace
 
-void giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices, EdgeList edges,
-                 std::span<const std::uint32_t> smoothing, const MeshOptions& options) {
+std::vector<std::uint32_t> giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices,
+                                       EdgeList edges, std::span<const std::uint32_t> smoothing,
+                                       const MeshOptions& options) {
   const bool given = options.normals == NormalRule::Given && !vertices.normals.empty();
   if (given)
     for (Vec3f& normal : vertices.normals) normal = unitFloat(Vec3(normal));
@@ -194,14 +209,19 @@ void giveNormals(MeshVertices& vertices, std::vector<std::uint32_t>& indices, Ed
     corners = {.numbers = indices, .normals = std::move(vertices.normals)};
   } else {
     const NormalMaker maker(vertices, indices, smoothing, options.crease);
-    corners = options.normals == NormalRule::Flat ? maker.flat() : maker.smooth(std::move(edges));
+    if (options.normals == NormalRule::Flat) {
+      edges = {};
+      corners = maker.flat();
+    } else {
+      corners = maker.smooth(std::move(edges));
+    }
     for (std::size_t i = 0; i < indices.size(); ++i)
       if (isGiven(indices[i])) {
         corners.numbers[i] = std::uint32_t(corners.normals.size());
         corners.normals.push_back(vertices.normals[indices[i]]);
       }
   }
-  weld(vertices, indices, corners);
+  return weld(vertices, indices, std::move(corners));
 }
 
 }  // namespace luxo

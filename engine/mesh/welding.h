@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "math/bits.h"
@@ -50,14 +52,53 @@ class WeldingTable {
   void grow() {
     std::vector<std::uint32_t> old(2 * slots_.size(), kFree);
     old.swap(slots_);
-    for (const std::uint32_t i : old)
-      if (i != kFree) slotOf(i) = i;
+    const std::size_t mask = slots_.size() - 1;
+    for (const std::uint32_t i : old) {
+      if (i == kFree) continue;
+      std::size_t slot = hash_(i) & mask;
+      while (slots_[slot] != kFree) slot = (slot + 1) & mask;  // they all differ
+      slots_[slot] = i;
+    }
   }
 
   std::vector<std::uint32_t> slots_;
   std::size_t count_ = 0;
   Hash hash_;
   Equal equal_;
+};
+
+/// Points that differ, bit for bit, as they come.
+class WeldedPoints {
+ public:
+  WeldedPoints() = default;
+  WeldedPoints(const WeldedPoints&) = delete;  // its table asks it
+  WeldedPoints& operator=(const WeldedPoints&) = delete;
+
+  [[nodiscard]] std::uint32_t numberOf(const Vec3& point) {
+    const auto last = std::uint32_t(points_.size());
+    points_.push_back(point);
+    const std::uint32_t number = table_.firstEqual(last);
+    if (number != last) points_.pop_back();
+    return number;
+  }
+  [[nodiscard]] std::vector<Vec3> take() { return std::move(points_); }
+
+ private:
+  [[nodiscard]] std::span<const double> numbers(std::uint32_t i) const { return {&points_[i].x, 3}; }
+
+  struct Hash {
+    const WeldedPoints& welded;
+    std::uint64_t operator()(std::uint32_t i) const { return mixed(0, welded.numbers(i)); }
+  };
+  struct Equal {
+    const WeldedPoints& welded;
+    bool operator()(std::uint32_t i, std::uint32_t j) const {
+      return sameBits(welded.numbers(i), welded.numbers(j));
+    }
+  };
+
+  std::vector<Vec3> points_;
+  WeldingTable<Hash, Equal> table_{Hash{*this}, Equal{*this}};
 };
 
 }  // namespace luxo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "base/assert.h"
 #include "fuzz/message.h"
@@ -66,7 +68,11 @@ void fuzzModel(std::string_view input, Reader reader) {
 
 void fuzzObj(std::string_view input) { fuzzModel(input, readObj); }
 void fuzzPly(std::string_view input) { fuzzModel(input, readPly); }
-void fuzzStl(std::string_view input) { fuzzModel(input, readStl); }
+void fuzzStl(std::string_view input) {
+  const auto* first = reinterpret_cast<const std::byte*>(input.data());
+  const auto file = std::make_shared<const std::vector<std::byte>>(first, first + input.size());
+  fuzzModel(input, [&](const ModelSource& source, std::string_view) { return readStl(source, file); });
+}
 void fuzzGltf(std::string_view input) { fuzzModel(input, readGltf); }
 
 void fuzzMtl(std::string_view input) {

@@ -5,8 +5,13 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "mesh/model_source.h"
+#include "mesh/welding.h"
 #include "unit/mesh_model_support.h"
 
 namespace luxo {
@@ -198,6 +203,54 @@ TEST(ReadStl, TextAndBinaryAreTheSame) {
   std::transform(other.begin(), other.end(), other.begin(),
                  [](char c) { return c == '\n' ? '\r' : char(std::toupper(c)); });
   EXPECT_EQ(trianglesOf(folder.read("b.stl", "\xef\xbb\xbf" + other).meshes[0]), trianglesOf(text.meshes[0]));
+}
+
+// What readers of STL keep of a corner that many facets give: its point, once.
+TEST(ReadStl, EqualCornersAreOnePoint) {
+  WeldedPoints points;
+  const Vec3 a(1, 2, 3), zero(0), minus(0, -0.0, 0);
+  std::vector<std::uint32_t> numbers;
+  for (const Vec3& point : {a, zero, a, minus, zero, minus, a}) numbers.push_back(points.numberOf(point));
+  EXPECT_THAT(numbers, ElementsAre(0, 1, 0, 2, 1, 2, 0));
+  EXPECT_THAT(points.take(), ElementsAre(a, zero, minus));
+
+  // A ball has two facets a point: not 29400 corners, and more points than the table begins with.
+  const MeshArrays ball = ballArrays(100, 50);
+  WeldedPoints ofBall;
+  numbers.clear();
+  for (const std::uint32_t i : ball.indices) numbers.push_back(ofBall.numberOf(ball.positions[i]));
+  const std::vector<Vec3> kept = ofBall.take();
+  EXPECT_EQ(kept.size(), ball.positions.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    EXPECT_EQ(kept[numbers[i]], ball.positions[ball.indices[i]]);
+}
+
+// The mesh needs the room of the file: of text, some 250 bytes a triangle.
+TEST(ReadStl, BytesAreLetGoBeforeTheMeshIsMade) {
+  const std::string text = textStl();
+  const auto* first = reinterpret_cast<const std::byte*>(text.data());
+  auto file = std::make_shared<const std::vector<std::byte>>(first, first + text.size());
+  const std::weak_ptr<const std::vector<std::byte>> held = file;
+  std::vector<bool> gone;
+  const ModelOptions options{.progress = [&](double) { gone.push_back(held.expired()); }};
+  const ModelSource source("a.stl", options);
+  EXPECT_EQ(readStl(source, std::move(file)).triangleCount(), 2u);
+  EXPECT_THAT(gone, ElementsAre(true, true));
+}
+
+// -0 is 0 and a facet without an area is none, whichever way a file says them.
+TEST(ReadStl, PointsThatAreOneAreWeldedWhateverTheirBits) {
+  ModelFolder folder;
+  std::string text = textStl();
+  const std::string zeros = "0.000000 0.000000 0.000000";
+  text.replace(text.rfind(zeros), zeros.size(), "-0 0 -0");
+  text.insert(text.find("endsolid"),
+              "facet\nouter loop\nvertex 0 0 0\nvertex -0 0 0\nvertex 1 0 0\nendloop\nendfacet\n");
+  const TriangleMesh mesh = folder.read("a.stl", text).meshes[0];
+  expectPromises(mesh);
+  EXPECT_EQ(trianglesOf(mesh), trianglesOf(folder.read("b.stl", textStl()).meshes[0]));
+  EXPECT_EQ(mesh.positions().size(), 4u);
+  EXPECT_EQ(mesh.dropped(), 1u);
 }
 
 TEST(ReadStl, BadFilesAreRefused) {
