@@ -12,6 +12,8 @@
 #include "cull/reach.h"
 #include "math/rounding.h"
 #include "math/sampling.h"
+#include "mesh/mesh_solid.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 
@@ -81,8 +83,19 @@ bool coversSample(const View& view, const Bounds& bounds, int samples, double ma
   return std::ranges::any_of(sampleLocations(samples), holds);
 }
 
-/// Whether the near plane does not cut the bounds inside the picture: then rays begin outside of a closed
-/// surface.
+/// Whether all of a box is outside of a closed mesh: no cluster reaches into it, and the mesh does not go
+/// around its middle.
+bool isOutsideOfMesh(const SnapshotNode& node, const Box& box, double slack) {
+  const SurfaceTriangles* triangles = node.surface.triangles();
+  if (!triangles || triangles->count != triangles->mesh.triangleCount()) return false;
+  const bool reached = std::ranges::any_of(triangles->mesh.clusters(), [&](const MeshCluster& cluster) {
+    return overlap(transformBounds(node.worldFromObject, cluster.bounds), box, slack);
+  });
+  return !reached && windingNumber(triangles->mesh, node.worldFromObject, box.center(), slack) == 0;
+}
+
+/// Whether rays begin outside of a closed surface: the near plane does not cut it inside the picture, by its
+/// bounds, or, of a mesh, by those of its clusters.
 bool seenFromOutside(const View& view, const SnapshotNode& node, const Bounds& bounds) {
   if (!bounds.finite) return false;
   if (bounds.nearest > view.near * (1 + kVertexSlack)) return true;
@@ -91,12 +104,9 @@ bool seenFromOutside(const View& view, const SnapshotNode& node, const Bounds& b
   for (const double x : {-half.x, half.x})
     for (const double y : {-half.y, half.y})
       window.add(view.eye + x * view.right() + y * view.up() + view.near * view.forward());
-  const Box& box = node.boundsWorld;
   const double slack = bounds.slack + kVertexSlack * (view.near + glm::length(half)) +
                        roundingGamma(16) * glm::length(view.eye);
-  for (int i = 0; i < 3; ++i)
-    if (window.min[i] > box.max[i] + slack || window.max[i] < box.min[i] - slack) return true;
-  return false;
+  return !overlap(node.boundsWorld, window, slack) || isOutsideOfMesh(node, window, slack);
 }
 
 /// Thickness in pixels of a triangle: its smallest height.

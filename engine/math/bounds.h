@@ -31,6 +31,12 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
+/// Whether they have a point in common, or are no farther apart than that along each axis.
+[[nodiscard]] inline bool overlap(const Box& a, const Box& b, double apart = 0) {
+  return a.min.x <= b.max.x + apart && b.min.x <= a.max.x + apart && a.min.y <= b.max.y + apart &&
+         b.min.y <= a.max.y + apart && a.min.z <= b.max.z + apart && b.min.z <= a.max.z + apart;
+}
+
 struct Sphere {
   Vec3 center{0};
   double radius = 0;

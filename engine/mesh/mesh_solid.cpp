@@ -168,11 +168,6 @@ class SolidTest {
   }
 
  private:
-  static bool overlap(const Box& a, const Box& b) {
-    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-           a.min.z <= b.max.z && b.min.z <= a.max.z;
-  }
-
   [[nodiscard]] Corners cornersOf(std::uint32_t triangle) const {
     const auto at = mesh_.indices().subspan(std::size_t{3} * triangle, 3);
     const auto positions = mesh_.positions();
@@ -220,7 +215,82 @@ class SolidTest {
   std::vector<Box> boxes_, clusterBoxes_;  ///< by triangle and by cluster, relative to the mesh's origin
 };
 
+/// What a line from the origin along an axis leaves triangles by: their fronts count 1, their backs -1.
+class Crossings {
+ public:
+  Crossings(int axis, bool forward, double slack)
+      : axis_(axis), right_((axis + 1) % 3), up_((axis + 2) % 3), way_(forward ? 1 : -1), slack_(slack) {}
+
+  /// Whether the line may meet anything in the box.
+  [[nodiscard]] bool mayMeet(const Box& box) const {
+    return box.min[right_] <= slack_ && box.max[right_] >= -slack_ && box.min[up_] <= slack_ &&
+           box.max[up_] >= -slack_ && (way_ > 0 ? box.max[axis_] >= -slack_ : box.min[axis_] <= slack_);
+  }
+
+  /// False where it is not certain whether the line meets the triangle.
+  [[nodiscard]] bool add(const Corners& t) {
+    Box box;
+    for (const Vec3& corner : t) box.add(corner);
+    if (!mayMeet(box)) return true;
+    std::array<int, 3> sides{};
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &a = t[k], &b = t[(k + 1) % 3];
+      const double twice = a[right_] * b[up_] - a[up_] * b[right_],
+                   doubt = 2 * slack_ * (glm::length(a) + glm::length(b) + slack_);
+      sides[k] = twice > doubt ? 1 : twice < -doubt ? -1 : 0;
+    }
+    const auto [least, most] = std::ranges::minmax(sides);
+    if (least < 0 && most > 0) return true;
+    if (least != most || least == 0) return false;
+    const Vec3 e = t[1] - t[0], f = t[2] - t[0];
+    // How far along the line it is, times an area.
+    const double along = way_ * least * glm::dot(glm::cross(e, f), t[0]),
+                 doubt = 4 * slack_ *
+                         (lengths(e, f) +
+                          (glm::length(t[0]) + slack_) * (glm::length(e) + glm::length(f) + slack_));
+    if (std::abs(along) <= doubt) return false;
+    if (along > 0) sum_ += way_ * least;
+    return true;
+  }
+
+  [[nodiscard]] int sum() const { return sum_; }
+
+ private:
+  int axis_, right_, up_, way_;
+  double slack_;
+  int sum_ = 0;
+};
+
+/// Relative to a point.
+Transform seenFrom(const Vec3& point, Transform place) {
+  place.translation -= point;
+  return place;
+}
+
 }  // namespace
+
+std::optional<int> windingNumber(const TriangleMesh& mesh, const Transform& place, const Vec3& point,
+                                 double slack) {
+  const Transform relative = seenFrom(point, place);
+  const auto cornersOf = [&](std::uint32_t triangle) {
+    const auto at = mesh.indices().subspan(std::size_t{3} * triangle, 3);
+    return Corners{transformPoint(relative, mesh.point(at[0])), transformPoint(relative, mesh.point(at[1])),
+                   transformPoint(relative, mesh.point(at[2]))};
+  };
+  const auto along = [&](int axis, bool forward) -> std::optional<int> {
+    Crossings crossings(axis, forward, slack);
+    for (const MeshCluster& cluster : mesh.clusters()) {
+      if (!crossings.mayMeet(transformBounds(relative, cluster.bounds))) continue;
+      for (std::uint32_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangles; ++t)
+        if (!crossings.add(cornersOf(t))) return std::nullopt;
+    }
+    return mirrors(place) ? -crossings.sum() : crossings.sum();
+  };
+  for (const int axis : {0, 1, 2})
+    for (const bool forward : {true, false})
+      if (const std::optional<int> number = along(axis, forward)) return number;
+  return std::nullopt;
+}
 
 bool boundsSolid(const TriangleMesh& mesh) {
   if (!mesh.closed()) return false;

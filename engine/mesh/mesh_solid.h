@@ -9,6 +9,9 @@
 // is so of all of them, however they pass through each other: around no point they go less than zero times.
 #pragma once
 
+#include <optional>
+
+#include "math/transform.h"
 #include "mesh/triangle_mesh.h"
 
 namespace luxo {
@@ -17,5 +20,12 @@ namespace luxo {
 /// where a surface within another bounds a hollow. In parallel. Cost, of a closed million triangles: about 1
 /// s on one core, and 70 bytes a triangle meanwhile; of what is not closed nothing.
 [[nodiscard]] bool boundsSolid(const TriangleMesh& mesh);
+
+/// How many times a closed mesh, placed there, goes around a point: of one that bounds a solid 0 outside, and
+/// more inside. Nothing where its corners, each moved by up to `slack`, may meet the point, or the lines from
+/// it along the axes their edges. Cost: some 30 ns a cluster, and as much for each triangle of those that a
+/// line meets.
+[[nodiscard]] std::optional<int> windingNumber(const TriangleMesh& mesh, const Transform& place,
+                                               const Vec3& point, double slack);
 
 }  // namespace luxo

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
 
 namespace luxo {
@@ -168,6 +169,61 @@ TEST(MeshSolid, FromOutsideOfASolidEveryRayMeetsAFrontFirst) {
   EXPECT_GT(solids, 10);
   EXPECT_GT(others, 10);
   EXPECT_GT(backs, 50) << "of the others";
+}
+
+/// By the solid angles of triangles, all of which are 4 pi (van Oosterom, Strackee, The solid angle of a
+/// plane triangle, 1983).
+double windingBySolidAngles(const TriangleMesh& mesh, const Transform& place, const Vec3& point) {
+  double sum = 0;
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    std::array<Vec3, 3> c;
+    for (std::size_t k = 0; k < 3; ++k)
+      c[k] = transformPoint(place, mesh.point(mesh.indices()[3 * t + k])) - point;
+    const double a = glm::length(c[0]), b = glm::length(c[1]), d = glm::length(c[2]);
+    sum += 2 * std::atan2(glm::dot(c[0], glm::cross(c[1], c[2])), a * b * d + glm::dot(c[0], c[1]) * d +
+                                                                      glm::dot(c[1], c[2]) * a +
+                                                                      glm::dot(c[2], c[0]) * b);
+  }
+  return (mirrors(place) ? -1 : 1) * sum / (4 * kPi);
+}
+
+TEST(MeshSolid, ItsWindingNumberIsThatOfSolidAngles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto anywhere = [&] { return Vec3(any(random), any(random), any(random)); };
+  const std::array meshes{triangleMesh(torusOf(0.7, 0.3)), triangleMesh(griddedCube(5)),
+                          triangleMesh(together(ball(1), ball(0.7, Vec3(0.6, 0.1, 0)))),
+                          triangleMesh(together(ball(1), turned(ball(0.6)))),
+                          triangleMesh(torusOf(0.5, 0.8))};
+  std::map<int, int> times;
+  int open = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const TriangleMesh& mesh = meshes[std::size_t(i) % meshes.size()];
+    const Transform place = compose(3.0 * anywhere(), rotation(anywhere(), any(random)),
+                                    Vec3(any(random) < 0 ? -0.7 : 1.3, 1 + 0.5 * any(random), 1));
+    const Vec3 point = transformPoint(place, 1.3 * anywhere());
+    const std::optional<int> number = windingNumber(mesh, place, point, 1e-9);
+    open += !number;
+    if (!number) continue;
+    ASSERT_NEAR(*number, windingBySolidAngles(mesh, place, point), 1e-6) << i;
+    ++times[*number];
+  }
+  EXPECT_LT(open, 5) << "lines that meet edges are rare";
+  for (const int number : {0, 1, 2}) EXPECT_GT(times[number], 20) << number;
+}
+
+TEST(MeshSolid, ItsWindingNumberIsOpenWhereCornersMayMoveAcross) {
+  const TriangleMesh mesh = triangleMesh(griddedCube(3));
+  for (const double apart : {1e-3, 1e-5, 0.0, -1e-5, -1e-3}) {
+    const Vec3 point(1 + apart, 0.1, 0.2);  // a face is at 1
+    const std::optional<int> number = windingNumber(mesh, {}, point, 1e-4);
+    if (std::abs(apart) < 1e-4)
+      EXPECT_FALSE(number) << apart;
+    else
+      EXPECT_EQ(number, apart > 0 ? 0 : 1) << apart;
+  }
+  EXPECT_FALSE(windingNumber(mesh, {}, Vec3(1), 1e-4)) << "a corner";
+  EXPECT_EQ(windingNumber(mesh, {}, Vec3(0.1, 0.03, 0.2), 1e-4), 1);
 }
 
 }  // namespace
