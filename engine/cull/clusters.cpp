@@ -12,21 +12,29 @@
 namespace luxo {
 namespace {
 
-/// Triangles. A draw of its own costs a CPU device about as much as a cluster.
-constexpr std::uint32_t kShortGap = kClusterTriangles;
-
 /// A more uneven scale would leave the eye's place among the triangles off by more than a billionth.
 constexpr double kMaxUneven = 1e3;
+
+/// Depths, near / depth, are off by some four units of 2^-24 of the largest of their triangle, so by four
+/// times that part of themselves: as much as vertices may be (kVertexSlack).
+constexpr double kDeep = 4;
+
+/// What the depths of parallel rays are off by, metres: the same units of all that the picture may hold.
+double depthSlack(const View& view) { return view.perspective() ? 0 : 0x1p-22 * (view.far - view.near); }
+
+/// How much vectors grow at least: the product of all three stretches over the largest two, at most.
+double smallestStretch(const Mat3& linear) {
+  const double largest = largestStretch(linear);
+  return std::abs(glm::determinant(linear)) / (largest * largest) * (1 - 1e-6);
+}
 
 /// Whether the triangles of clusters certainly show the face that is not drawn.
 class Facing {
  public:
   Facing(const View& view, const SnapshotNode& node, Faces faces)
       : view_(view), place_(eyeFromObject(view, node.worldFromObject)), faces_(faces) {
-    const double determinant = std::abs(glm::determinant(place_.linear));
     largest_ = largestStretch(place_.linear);
-    // The product of all three, over the largest two at most.
-    smallest_ = determinant / (largest_ * largest_) * (1 - 1e-6);
+    smallest_ = smallestStretch(place_.linear);
     certain_ = faces != Faces::Both && largest_ < kMaxUneven * smallest_;
     if (!certain_) return;
     const Mat3 objectFromEye = glm::inverse(place_.linear);
@@ -80,38 +88,62 @@ ClusterCulling::ClusterCulling(const View& view, const CullOptions& options)
       frustum_(options.frustum),
       backface_(options.backface),
       filled_(drawnFrustum(view, false)),
-      outlined_(drawnFrustum(view, true)) {}
+      outlined_(drawnFrustum(view, true)),
+      grid_(view) {}
 
-std::vector<TriangleRange> ClusterCulling::drawn(const SnapshotNode& node, Faces faces, bool lines,
+void ClusterCulling::occlude(const SnapshotNode& solid, std::span<const Sphere> balls) {
+  if (balls.empty()) return;
+  const Transform& place = solid.worldFromObject;
+  const double slack = 2 * vertexSlack(view_, solid) + depthSlack(view_),
+               largest = largestStretch(place.linear), smallest = smallestStretch(place.linear);
+  if (!std::isfinite(slack) || !(smallest > 0)) return;
+  const auto isOpen = [&](const MeshCluster& cluster) {
+    return !isShallow(
+               {transformPoint(place, cluster.sphere.center), largest * cluster.sphere.radius + slack}) &&
+           !outside(filled_, place, cluster.bounds, slack);
+  };
+  if (std::ranges::any_of(solid.surface.triangles()->mesh.clusters(), isOpen)) return;
+  for (const Sphere& ball : balls)
+    grid_.cover({transformPoint(place, ball.center), smallest * ball.radius}, slack);
+}
+
+bool ClusterCulling::isShallow(const Sphere& world) const {
+  const double depth = -eyeFromWorldPoint(view_, world.center).z, nearest = depth - world.radius,
+               farthest = depth + world.radius;
+  return nearest > view_.near && (!view_.perspective() || farthest <= kDeep * nearest);
+}
+
+std::vector<TriangleRange> ClusterCulling::drawn(const SnapshotNode& node, const ClusterNeeds& needs,
                                                  ClusterCounts& counts) const {
   const SurfaceTriangles& triangles = *node.surface.triangles();
-  const double slack = vertexSlack(view_, node);
-  const Frustum& frustum = lines ? outlined_ : filled_;
-  const Facing facing(view_, node, backface_ ? faces : Faces::Both);
+  const Transform& place = node.worldFromObject;
+  const double slack = vertexSlack(view_, node), largest = largestStretch(place.linear);
+  const Frustum& frustum = needs.lines ? outlined_ : filled_;
+  const Facing facing(view_, node, backface_ ? needs.faces : Faces::Both);
+  const bool mayBeHidden = needs.mayBeHidden && !grid_.empty() && std::isfinite(slack);
+  const auto isHidden = [&](const Sphere& sphere) {
+    if (!mayBeHidden) return false;
+    const Sphere grown{transformPoint(place, sphere.center),
+                       largest * sphere.radius + 2 * slack + depthSlack(view_)};
+    return isShallow(grown) && grid_.hides(grown);
+  };
   std::vector<TriangleRange> ranges;
-  ClusterCounts gap;
   for (const MeshCluster& cluster : triangles.mesh.clusters()) {
     if (cluster.firstTriangle < triangles.first || cluster.firstTriangle >= triangles.first + triangles.count)
       continue;
     const std::uint32_t first = cluster.firstTriangle - triangles.first;
-    if (frustum_ && std::isfinite(slack) && outside(frustum, node.worldFromObject, cluster.bounds, slack)) {
-      gap.culledFrustum += cluster.triangles;
+    if (frustum_ && std::isfinite(slack) && outside(frustum, place, cluster.bounds, slack)) {
+      counts.culledFrustum += cluster.triangles;
     } else if (facing.showsOther(cluster)) {
-      gap.culledBackface += cluster.triangles;
+      counts.culledBackface += cluster.triangles;
+    } else if (isHidden(cluster.sphere)) {
+      counts.culledHidden += cluster.triangles;
+    } else if (!ranges.empty() && first == ranges.back().first + ranges.back().count) {
+      ranges.back().count += cluster.triangles;
     } else {
-      const bool joins = !ranges.empty() && first - (ranges.back().first + ranges.back().count) <= kShortGap;
-      if (joins) {
-        ranges.back().count = first + cluster.triangles - ranges.back().first;
-      } else {
-        counts.culledFrustum += gap.culledFrustum;
-        counts.culledBackface += gap.culledBackface;
-        ranges.push_back({first, cluster.triangles});
-      }
-      gap = {};
+      ranges.push_back({first, cluster.triangles});
     }
   }
-  counts.culledFrustum += gap.culledFrustum;
-  counts.culledBackface += gap.culledBackface;
   return ranges;
 }
 

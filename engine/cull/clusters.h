@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which clusters of a mesh a draw needs: those in the picture some of whose triangles may show a face that is
-// drawn.
+// drawn, and that no solid hides.
 //
-// Both are proofs. A cluster is left out as a node is where it is outside the picture (cull/cull.h). Where
+// All are proofs. A cluster is left out as a node is where it is outside the picture (cull/cull.h). It is
+// hidden by balls inside of solids (cull/occluder_grid.h), of those of which the near plane clips nothing in
+// the picture: what it clips gets other corners, and may not close up. (At the sides the new corners are on the
+// edges, but for kMovedPx.) And both are no more than kDeep times as deep at the far end of a cluster as at the
+// near one: a device finds the depths of a triangle by a float plane, which is off everywhere by what it rounds
+// away at the near end. Where
 // only one face of triangles is drawn it is left out if the rasteriser finds each of its triangles to show
 // the other: the eye is on that side of their planes, and they are so high in the picture that corners that
 // move, by single precision and to the raster's grid, do not turn them over. How high: let D be at least the
@@ -14,9 +19,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cull/cull.h"
+#include "cull/occluder_grid.h"
 #include "math/frustum.h"
 #include "mesh/triangle_mesh.h"
 #include "scene/snapshot.h"
@@ -33,9 +40,16 @@ struct TriangleRange {
 /// Which faces of triangles a draw shows.
 enum class Faces { Both, Front, Back };
 
+/// What a draw asks of the clusters of a mesh.
+struct ClusterNeeds {
+  Faces faces = Faces::Both;
+  bool lines = false;        ///< their edges are drawn
+  bool mayBeHidden = false;  ///< by solids: it is drawn where it is, and compared by depth
+};
+
 /// Triangles that draws do not need.
 struct ClusterCounts {
-  std::uint64_t culledFrustum = 0, culledBackface = 0;
+  std::uint64_t culledFrustum = 0, culledBackface = 0, culledHidden = 0;
 };
 
 class ClusterCulling {
@@ -43,15 +57,23 @@ class ClusterCulling {
   /// Of one picture; `options` say which of the skips are allowed.
   ClusterCulling(const View& view, const CullOptions& options);
 
-  /// What to draw of the mesh that a node's surface is; its own triangles are numbered from 0. Short gaps are
-  /// drawn, too, as they cost less than another draw. Cost: about 0.1 us a cluster.
-  [[nodiscard]] std::vector<TriangleRange> drawn(const SnapshotNode& node, Faces faces, bool lines,
+  /// A mesh with these balls inside hides what is behind. Required: it bounds a solid, is opaque, and seen
+  /// from outside. Cost: 10 ns a cluster.
+  void occlude(const SnapshotNode& solid, std::span<const Sphere> balls);
+
+  /// What to draw of the mesh that a node's surface is; its own triangles are numbered from 0. Ascending,
+  /// with gaps between. Cost: about 0.1 us a cluster.
+  [[nodiscard]] std::vector<TriangleRange> drawn(const SnapshotNode& node, const ClusterNeeds& needs,
                                                  ClusterCounts& counts) const;
 
  private:
+  /// Whether the near plane clips nothing of a ball, and its far end is not much deeper than its near one.
+  [[nodiscard]] bool isShallow(const Sphere& world) const;
+
   View view_;
   bool frustum_, backface_;
   Frustum filled_, outlined_;
+  OccluderGrid grid_;
 };
 
 }  // namespace luxo

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -97,14 +96,16 @@ class DrawLister {
     listLayers();
     std::ranges::stable_sort(list_.opaque, {}, placeInOrder);
     std::ranges::sort(list_.found, {}, &FoundNode::node);
-    dropClusters(list_, snapshot_, options_);
+    dropClusters(list_, snapshot_, solids_, options_, geometry_.meshes);
     for (auto* batches : {&list_.opaque, &list_.layers.meshes})
       for (DrawBatch& batch : *batches) batch.state.smallTriangles = hasSmallTriangles(batch);
     materials_.listShades();
     listPlaces(snapshot_, visible_, options_, geometry_, materials_, list_);
     listShadows(snapshot_, visible_, options_, geometry_, materials_, list_);
     shells_.listOutlines();
-    if (options_.skips.hidden) list_.culledHidden = geometry_.hidden.drop(list_, snapshot_, options_.samples);
+    list_.culledHidden = list_.clusters.culledHidden;
+    if (options_.skips.hidden)
+      list_.culledHidden += geometry_.hidden.drop(list_, snapshot_, options_.samples);
     shells_.placeSharedIndices();
     if (list_.looksForCasters()) requireTexels(list_.textures);  // something to bind
     return std::move(list_);
@@ -299,6 +300,7 @@ class DrawLister {
     batch.state.shadedLights = lights.shaded;
     batch.state.spots = lights.spots;
     if (node.surface.triangles()) {
+      if (options_.skips.hidden && hidesBackFaces(v, node, geometry_.meshes)) solids_.push_back(v.node);
       batch.state.tangents = batch.state.frame || readsTangents(batch.state);
       if (batch.again) batch.again->tangents = readsTangents(*batch.again);
     }
@@ -421,6 +423,7 @@ class DrawLister {
   MaterialList materials_;
   ShellList shells_;
   CasterList casters_;
+  std::vector<std::uint32_t> solids_;  ///< meshes that hide what is behind
 };
 
 }  // namespace
@@ -462,12 +465,6 @@ bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawO
   const Material& material = snapshot.materials[node.material.index];
   return seenThrough(snapshot, node, options) && !material.invisible() &&
          material.shadingIn(options.shading) == Shading::Exact;
-}
-
-std::uint64_t DrawBatch::triangleCount() const {
-  if (parts.empty()) return indexCount / 3;
-  return std::accumulate(parts.begin(), parts.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const TriangleRange& part) { return sum + part.count; });
 }
 
 bool DrawList::onlyFound() const {

@@ -42,8 +42,8 @@ struct DrawBatch {
   std::optional<DrawState> again;                ///< of a mesh that is drawn again to light its points
   std::shared_ptr<const Mesh> mesh;              ///< null where the surface is found in every pixel
   std::shared_ptr<const Shell> shell;            ///< then not null
-  std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of DrawList::shellIndices
-  std::vector<TriangleRange> parts;  ///< of a mesh some clusters of which are left out: what is drawn
+  std::uint32_t firstIndex = 0, indexCount = 0;  ///< of the mesh, or of a list's shell or cluster indices
+  bool someClusters = false;  ///< of a mesh some clusters of which are left out: DrawList::clusterIndices
   FaceCulling culling = FaceCulling::None;
   Half half = Half::Whole;
   bool shared = false;     ///< of a shell: all of its triangles, in the draws of other nodes, too
@@ -57,7 +57,7 @@ struct DrawBatch {
 
   /// Whether its points are the surface's own.
   [[nodiscard]] bool finds() const { return shell || state.isSurface; }
-  [[nodiscard]] std::uint64_t triangleCount() const;
+  [[nodiscard]] std::uint32_t triangleCount() const { return indexCount / 3; }
   [[nodiscard]] std::size_t vertexCount() const {
     return shell ? shell->positions.size() : mesh->positions.size();
   }
@@ -166,6 +166,7 @@ struct DrawList {
       exactInstances;                            ///< as instances; of those without a shell nothing is read
   std::vector<std::uint32_t> instanceNodes;      ///< as instances: indices into Snapshot::nodes
   std::vector<std::uint32_t> shellIndices;       ///< not empty when a draw has a shell
+  std::vector<std::uint32_t> clusterIndices;     ///< not empty when a draw is of some clusters
   std::vector<shared::ExactPatch> exactPatches;  ///< not empty when a draw has a shell
   std::vector<double> exactParameters;           ///< of formulas and equations; see ExactPatch
   std::vector<shared::MaterialData> materials;   ///< of instances; never empty
@@ -179,7 +180,7 @@ struct DrawList {
       shadowsByRays;                   ///< where triangles may stand before a light that no shader looks for
   std::vector<PixelPlace> outlines;    ///< some of the pixels that searches graze
   std::vector<DrawBatch> transparent;  ///< wires, in this order
-  std::uint64_t culledHidden = 0;      ///< triangles of shells that are behind others, every instance counted
+  std::uint64_t culledHidden = 0;      ///< triangles that are behind others, every instance counted
   ClusterCounts clusters;              ///< triangles of meshes that are left out, every draw counted
   std::uint64_t tooLarge = 0;          ///< nodes found by rays: their formulas are too large for shaders
   /// Points are found first, and lit once each, by all lights that reach anything.

@@ -26,7 +26,7 @@ bool sameBytes(const T& a, const T& b) {
 bool same(const DrawBatch& a, const DrawBatch& b) {
   const auto members = [](const DrawBatch& batch) {
     return std::tie(batch.state, batch.again, batch.mesh, batch.shell, batch.firstIndex, batch.indexCount,
-                    batch.parts, batch.culling, batch.half, batch.shared, batch.flat, batch.twoSided,
+                    batch.someClusters, batch.culling, batch.half, batch.shared, batch.flat, batch.twoSided,
                     batch.bothSides, batch.frontOnly, batch.mirrored, batch.lightSet, batch.firstInstance,
                     batch.instanceCount);
   };
@@ -120,9 +120,10 @@ bool findsAlike(const Snapshot& last, const Snapshot& next) {
 
 bool findsAlike(const DrawList& last, const DrawList& next) {
   const auto facts = [](const DrawList& list) {
-    return std::tie(list.origin, list.instanceNodes, list.shellIndices, list.byRays, list.shadowsByRays,
-                    list.outlines, list.tooLarge, list.findsParameters, list.findsFootprints,
-                    list.findsFrames, list.occludes, list.runsShaders, list.findsPlaces, list.boundPx);
+    return std::tie(list.origin, list.instanceNodes, list.shellIndices, list.clusterIndices, list.byRays,
+                    list.shadowsByRays, list.outlines, list.tooLarge, list.findsParameters,
+                    list.findsFootprints, list.findsFrames, list.occludes, list.runsShaders, list.findsPlaces,
+                    list.boundPx);
   };
   return facts(last) == facts(next) && sameBytes(last.view, next.view) &&
          sameBytes(last.instances, next.instances) && sameBytes(last.exactInstances, next.exactInstances) &&

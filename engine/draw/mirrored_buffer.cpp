@@ -2,6 +2,7 @@
 #include "draw/mirrored_buffer.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/assert.h"
 
@@ -16,7 +17,9 @@ const gpu::Buffer& MirroredBuffer::use(gpu::Context& context) {
 void MirroredBuffer::write(gpu::Context& context, std::span<const std::byte> bytes, VkBufferUsageFlags usage,
                            const char* name, bool always) {
   LUXO_REQUIRE_COMPARE(bytes.size(), >, std::size_t{0});
-  if (!always && std::ranges::equal(bytes, bytes_)) return;
+  const bool same =
+      bytes.size() == bytes_.size() && std::memcmp(bytes.data(), bytes_.data(), bytes.size()) == 0;
+  if (same && !always) return;
   gpu::Timeline& timeline = context.timeline();
   // A recording that was thrown away never becomes a submission.
   const auto inUse = [&](const Slot& slot) {

@@ -49,8 +49,8 @@ struct Skips {
   /// of what the device already has.
   bool unchanged = true;
   bool passes = true;  ///< passes with nothing to draw
-  /// What is behind other surfaces, where it is searched for in every pixel. On CPU devices, which compare
-  /// depths after the search only.
+  /// What is behind other surfaces, where it is searched for in every pixel, and clusters of meshes behind
+  /// solid ones. On CPU devices, which compare depths after the search only, and process vertices slowly.
   bool hidden = true;
 
   [[nodiscard]] static constexpr Skips none() { return {false, false, false, false, false, false, false}; }

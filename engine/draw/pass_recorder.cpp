@@ -207,17 +207,19 @@ void PassRecorder::draw(const DrawBatch& batch) {
                               batch.state.tangents ? mesh.tangents : mesh.vertices, bindings_.instances};
   constexpr VkDeviceSize kOffsets[] = {0, 0, 0, 0};
   vkCmdBindVertexBuffers(commands_, 0, 4, streams, kOffsets);
-  if (batch.shell)
-    vkCmdBindIndexBuffer(commands_, bindings_.shellIndices, 0, VK_INDEX_TYPE_UINT32);
-  else
+  std::uint32_t draws = 1;
+  if (batch.shell || batch.someClusters) {
+    const VkBuffer indices = batch.shell ? bindings_.shellIndices : bindings_.clusterIndices;
+    vkCmdBindIndexBuffer(commands_, indices, 0, VK_INDEX_TYPE_UINT32);
+    vkCmdDrawIndexed(commands_, batch.indexCount, batch.instanceCount, batch.firstIndex, 0,
+                     batch.firstInstance);
+  } else {
     bindIndices(mesh);
-  const auto drawIndexed = [&](std::uint32_t first, std::uint32_t indices) {
-    const std::uint32_t draws =
-        drawWindows(mesh, {first, first + indices}, {batch.firstInstance, batch.instanceCount});
-    count(draws, batch.instanceCount, indices / 3, std::min<std::size_t>(batch.vertexCount(), indices));
-  };
-  if (batch.parts.empty()) drawIndexed(batch.firstIndex, batch.indexCount);
-  for (const TriangleRange& part : batch.parts) drawIndexed(3 * part.first, 3 * part.count);
+    draws = drawWindows(mesh, {batch.firstIndex, batch.firstIndex + batch.indexCount},
+                        {batch.firstInstance, batch.instanceCount});
+  }
+  count(draws, batch.instanceCount, batch.triangleCount(),
+        std::min<std::size_t>(batch.vertexCount(), batch.indexCount));
 }
 
 void PassRecorder::bindIndices(const DeviceMesh& mesh) {

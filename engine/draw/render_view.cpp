@@ -233,10 +233,15 @@ void RenderView::upload(bool always) {
   if (!list_.patternParameters.empty())
     store(uploads_.patternParameters, list_.patternParameters, "pattern parameters");
   uploadCasters(always);
+  const auto index = [&](MirroredBuffer& buffer, const std::vector<std::uint32_t>& indices,
+                         const char* name) {
+    if (!indices.empty())
+      buffer.write(*context_, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, name,
+                   always);
+  };
+  index(uploads_.clusterIndices, list_.clusterIndices, "indices of clusters");
   if (!list_.exact()) return;
-  if (!list_.shellIndices.empty())
-    uploads_.shellIndices.write(*context_, std::as_bytes(std::span(list_.shellIndices)),
-                                VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "shell indices", always);
+  index(uploads_.shellIndices, list_.shellIndices, "shell indices");
   store(uploads_.exactInstances, list_.exactInstances, "exact instances");
   store(uploads_.exactPatches, list_.exactPatches, "patches");
   store(uploads_.exactParameters, inPairs(list_.exactParameters), "parameters of formulas");
@@ -287,6 +292,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
           {parameters, all, {footprints, pipelines.texelSampler()}, {frame, pipelines.texelSampler()}});
     }
   }
+  if (!list_.clusterIndices.empty()) bindings.clusterIndices = uploads_.clusterIndices.use(*context_);
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(
         pipelines.layout(SceneSet::Exact),

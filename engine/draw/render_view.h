@@ -88,6 +88,7 @@ class RenderView {
     VkDescriptorSet foundTexture = VK_NULL_HANDLE;  ///< and lights what was found
     VkDescriptorSet exact = VK_NULL_HANDLE;         ///< where a draw has a shell
     VkBuffer shellIndices = VK_NULL_HANDLE;         ///< where a draw has a shell
+    VkBuffer clusterIndices = VK_NULL_HANDLE;       ///< where a draw is of some clusters
     VkDescriptorSet sceneOfRays = VK_NULL_HANDLE;   ///< of the points that rays have found
     VkBuffer rayVertices = VK_NULL_HANDLE;          ///< these
     VkBuffer rayShadows = VK_NULL_HANDLE;           ///< and the shadows there
@@ -113,8 +114,8 @@ class RenderView {
   /// A draw list on the device.
   struct Uploads {
     MirroredBuffer view, instances, materials, lights, patternParameters, exactInstances, exactPatches,
-        exactParameters, shellIndices, casters, meshPlaces, closedCasters, gridStarts, gridEntries,
-        casterCells, casterParameters, lightMaps;
+        exactParameters, shellIndices, clusterIndices, casters, meshPlaces, closedCasters, gridStarts,
+        gridEntries, casterCells, casterParameters, lightMaps;
   };
 
   /// To those of layers, where the lists have been copied.

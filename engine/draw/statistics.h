@@ -29,7 +29,7 @@ struct FrameCounts {
   std::uint64_t nodes = 0;  ///< with a surface, visible in the scene
   std::uint64_t drawn = 0;
   std::uint64_t culledFrustum = 0, culledSmall = 0, culledBackface = 0, culledLights = 0;
-  std::uint64_t culledHidden = 0;  ///< triangles of shells
+  std::uint64_t culledHidden = 0;  ///< triangles of shells and of meshes
   /// Triangles of meshes, cluster by cluster, every draw counted.
   std::uint64_t culledTrianglesFrustum = 0, culledTrianglesBackface = 0;
   std::uint64_t drawCalls = 0, instances = 0;

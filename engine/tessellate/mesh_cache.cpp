@@ -5,7 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/inscribed_balls.h"
 #include "surface/equation.h"
+#include "surface/surface_triangles.h"
 
 namespace luxo {
 
@@ -43,6 +45,17 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
 
 bool MeshCache::boundsSolid(const Surface& surface, std::span<const double> parameters) {
   return solids_.get(surface, parameters, [&] { return luxo::boundsSolid(surface, parameters); });
+}
+
+std::span<const Sphere> MeshCache::inscribedBalls(const Surface& triangles) {
+  bool isFirst = false;
+  std::optional<std::vector<Sphere>>& balls = balls_.get(triangles, {}, [&] {
+    isFirst = true;
+    return std::optional<std::vector<Sphere>>();
+  });
+  if (isFirst) return {};
+  if (!balls) balls = luxo::inscribedBalls(triangles.triangles()->mesh);
+  return *balls;
 }
 
 }  // namespace luxo

@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <tuple>
+#include <vector>
 
+#include "math/bounds.h"
 #include "surface/surface.h"
 #include "tessellate/curvature_map.h"
 #include "tessellate/mesh.h"
@@ -32,6 +35,10 @@ class MeshCache {
   /// boundsSolid(), found once.
   [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
 
+  /// inscribedBalls() of triangles that bound a solid; valid until the next call. None when they are asked
+  /// for first: of what is drawn once, as of what moves, they would cost more than they spare.
+  [[nodiscard]] std::span<const Sphere> inscribedBalls(const Surface& triangles);
+
   [[nodiscard]] std::size_t bytes() const { return meshes_.bytes(); }
   /// Meshes made so far (not found in the cache).
   [[nodiscard]] std::uint64_t tessellated() const { return meshes_.made(); }
@@ -55,6 +62,7 @@ class MeshCache {
   ShapeCache<Key, Mesh> meshes_;
   ShapeTable<CurvatureMap> maps_{64};
   ShapeTable<bool> solids_{256};
+  ShapeTable<std::optional<std::vector<Sphere>>> balls_{256};
 };
 
 }  // namespace luxo

@@ -121,6 +121,43 @@ TriangleMesh pushedThrough(const TriangleMesh& ball) {
   return triangleMesh(std::move(arrays), "pushed through");
 }
 
+// Balls inside of meshes are looked for when these are drawn a second time.
+TEST_F(MeshCulling, WhatSolidsHideChangesNoBit) {
+  const std::array shapes{icosphere(5), meshOf(torus(0.7, 0.25), 3e-4), meshOf(torus(0.8, 0.08), 1e-4),
+                          pushedThrough(icosphere(4)), soup(random_, 4000, 0.15)};
+  std::uint64_t hidden = 0;
+  for (int i = 0; i < 60; ++i) {
+    Scene scene;
+    for (int n = 0; n < 6; ++n)
+      scene.add(
+          Node{.translation = anywhere(1.5),
+               .rotation = Rotation{anywhere(1) + Vec3(0, 0, 0.01), any(0, 6)},
+               .scale = Vec3(oneIn(2) ? -0.6 : 0.6, any(0.2, 1.2), any(0.2, 1.2)),
+               .surface = shapes[random_() % shapes.size()],
+               .material = scene.add(oneIn(4) ? anyMaterial()
+                                              : Material{.diffuse = Vec3(any(0.2, 1), 0.5, any(0.2, 1))})});
+    scene.add(Node{.translation = Vec3(3, 5, 4), .light = Light{.intensity = 0.7}});
+    Camera camera{.eye = any(0, 4) * unit(anywhere(1)),
+                  .lookAt = anywhere(0.5),
+                  .fovY = radians(any(20, 100)),
+                  .near = oneIn(2) ? 1e-3 : any(0.01, 0.6)};
+    if (oneIn(4)) {
+      camera.projection = Projection::Orthographic;
+      camera.height = any(0.5, 4);
+    }
+    scene.add(camera);
+    DrawOptions all{.shading = i % 2 ? Shading::Phong : Shading::Exact, .samples = i % 5 == 4 ? 4 : 1};
+    DrawOptions none = all;
+    none.skips.hidden = false;
+    static_cast<void>(draw(scene, kCullingSize, all));
+    const Picture whole = draw(scene, kCullingSize, none), picture = draw(scene, kCullingSize, all);
+    hidden += picture.statistics.count.culledHidden;
+    EXPECT_EQ(whole.statistics.count.culledHidden, 0U);
+    EXPECT_TRUE(sameBytes(picture.image, whole.image)) << "scene " << i;
+  }
+  EXPECT_GT(hidden, 50'000U);
+}
+
 /// Nodes may pass through each other.
 TEST_F(MeshCulling, BackFacesOfSolidsAreHiddenFromAnywhere) {
   const std::array shapes{icosphere(3), meshOf(torus(0.7, 0.25), 1e-3), cubeMesh(),

@@ -96,7 +96,7 @@ TEST_P(ClusterCullingOf, OnlyLeavesOutWhatIsOutsideOrShowsTheOtherFace) {
     const SurfaceTriangles& triangles = *node.surface.triangles();
     const ClusterCulling culling(view, {});
     ClusterCounts counts;
-    const auto drawn = inRanges(culling.drawn(node, GetParam(), false, counts), triangles.count);
+    const auto drawn = inRanges(culling.drawn(node, {.faces = GetParam()}, counts), triangles.count);
     all += triangles.count;
     std::uint64_t left = 0;
     const Frustum picture = frustumOf(view, 0.5);
@@ -141,23 +141,24 @@ TEST(ClusterCulling, OfABallInFullViewAboutHalfShowsItsBack) {
   const std::uint32_t triangles = snapshot.nodes[0].surface.triangles()->count;
   ClusterCounts counts;
   const ClusterCulling culling(snapshot.view, {});
-  static_cast<void>(culling.drawn(snapshot.nodes[0], Faces::Front, false, counts));
+  static_cast<void>(culling.drawn(snapshot.nodes[0], {.faces = Faces::Front}, counts));
   EXPECT_EQ(counts.culledFrustum, 0U);
   EXPECT_GT(counts.culledBackface, triangles / 7);
   EXPECT_LT(counts.culledBackface, triangles / 2);
 
   const ClusterCulling none(snapshot.view, {.frustum = false, .backface = false});
   ClusterCounts nothing;
-  const auto all = none.drawn(snapshot.nodes[0], Faces::Front, false, nothing);
+  const auto all = none.drawn(snapshot.nodes[0], {.faces = Faces::Front}, nothing);
   EXPECT_EQ(all, (std::vector{TriangleRange{0, triangles}}));
   EXPECT_EQ(nothing.culledBackface, 0U);
 }
 
 // As small as this no triangle is sure to keep its orientation on a raster of 1/16 pixel.
 TEST(ClusterCulling, TrianglesSmallerThanTheRastersGridStay) {
-  const Snapshot snapshot = ballFrom(600);
+  const Snapshot snapshot = ballFrom(2000);
   ClusterCounts counts;
-  static_cast<void>(ClusterCulling(snapshot.view, {}).drawn(snapshot.nodes[0], Faces::Front, false, counts));
+  static_cast<void>(
+      ClusterCulling(snapshot.view, {}).drawn(snapshot.nodes[0], {.faces = Faces::Front}, counts));
   EXPECT_EQ(counts.culledBackface, 0U);
 }
 
