@@ -236,7 +236,7 @@ class DrawLister {
     if (batch.state.isSurface) {
       item.instance.data.flags |= shared::kIsSurface;
       list_.layers.found.push_back({v.node, item.instance.data.material});
-      appendBlurred(snapshot_.view, node, v, list_.origin, list_.byRays);
+      appendBlurred(snapshot_.view, node, v, list_.origin, origin, list_.byRays);
     }
     for (DrawBatch& drawn : item.batches) {
       if (drawn.indexCount == 0) continue;
@@ -348,7 +348,7 @@ class DrawLister {
     if (batch.state.shading == Shading::Exact) batch.state.shading = Shading::Phong;
     batch.state.isSurface = true;
     const Vec3 origin = addMesh(item, batch, node, v, {});
-    appendBlurred(snapshot_.view, node, v, list_.origin, list_.byRays);
+    appendBlurred(snapshot_.view, node, v, list_.origin, origin, list_.byRays);
     return origin;
   }
 

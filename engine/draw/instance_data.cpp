@@ -50,6 +50,18 @@ std::optional<Vec3> farMiddleSeen(const Snapshot& snapshot) {
 
 }  // namespace
 
+Vec3f vertexMiddle(const SnapshotNode& node, const Vec3& shadingOrigin, const Vec3& origin) {
+  if (!node.surface.triangles()) return Vec3f(0);
+  const Transform& place = node.worldFromObject;
+  const Vec3 middle = glm::inverse(place.linear) * (shadingOrigin - place.translation) - origin;
+  // What is rounded is relative to these lengths: of a node's own T R S at most the square root of 3 times
+  // the distance, of one that its parents shear any number of times that.
+  double lengths = 0;
+  for (int i = 0; i < 3; ++i) lengths += glm::length(place.linear[i]) * std::abs(middle[i]);
+  const bool isNear = lengths <= 2 * glm::distance(transformPoint(place, origin), shadingOrigin);
+  return isNear ? Vec3f(middle) : Vec3f(0);
+}
+
 shared::InstanceData instanceData(const Snapshot& snapshot, const SnapshotNode& node,
                                   const VisibleNode& visible, const Vec3& shadingOrigin, const Vec3& origin,
                                   bool showsBack) {
@@ -58,8 +70,11 @@ shared::InstanceData instanceData(const Snapshot& snapshot, const SnapshotNode& 
   double largest = 0;
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(normals[column][row]));
-  return {.relativeFromObject = Mat3f(node.worldFromObject.linear),
-          .translation = toFloat(transformPoint(node.worldFromObject, origin) - shadingOrigin),
+  const Mat3f linear(node.worldFromObject.linear);
+  const Vec3f middle = vertexMiddle(node, shadingOrigin, origin);
+  return {.relativeFromObject = {Vec4f(linear[0], middle.x), Vec4f(linear[1], middle.y),
+                                 Vec4f(linear[2], middle.z)},
+          .translation = toFloat(transformPoint(node.worldFromObject, origin + Vec3(middle)) - shadingOrigin),
           .normalFromObject = Mat3f(largest > 0 ? normals / largest : normals),
           .flags = flagsOf(node, visible) | (showsBack ? shared::kShowsBack : 0) |
                    (seenFromAbove(snapshot.view, node.worldFromObject) ? shared::kFromAbove : 0),

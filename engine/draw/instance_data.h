@@ -20,6 +20,12 @@ inline constexpr double kFarEye = 8;
 [[nodiscard]] shared::ViewData viewData(const Snapshot& snapshot, const VisibleList& visible,
                                         const Vec3& origin);
 
+/// What vertices are subtracted from before anything else is done to them, relative to their origin: of
+/// triangles, which are floats themselves, about the point of object space that is at the shading origin. So
+/// what floats round away of a vertex that is near to the eye is relative to its distance from there, not
+/// from the object's middle. Else, and where nodes are sheared so much that this would be more, 0.
+[[nodiscard]] Vec3f vertexMiddle(const SnapshotNode& node, const Vec3& shadingOrigin, const Vec3& origin);
+
 /// All but its material. `shadingOrigin`: shadingOrigin(), found once. `origin`: of the vertices, object
 /// space. `showsBack`: not only the outer side is seen.
 [[nodiscard]] shared::InstanceData instanceData(const Snapshot& snapshot, const SnapshotNode& node,

@@ -99,8 +99,8 @@ void addInstance(gpu::GraphicsPipelineDesc& desc) {
         {shared::kLocationInstance + place, kBinding, format, static_cast<std::uint32_t>(offset)});
   };
   for (std::uint32_t column = 0; column < 3; ++column) {
-    add(column, VK_FORMAT_R32G32B32_SFLOAT,
-        offsetof(InstanceData, relativeFromObject) + column * sizeof(Vec3f));
+    add(column, VK_FORMAT_R32G32B32A32_SFLOAT,
+        offsetof(InstanceData, relativeFromObject) + column * sizeof(Vec4f));
     add(4 + column, VK_FORMAT_R32G32B32_SFLOAT,
         offsetof(InstanceData, normalFromObject) + column * sizeof(Vec3f));
   }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "draw/instance_data.h"
 #include "math/transform.h"
 #include "surface/surface_triangles.h"
 
@@ -20,26 +21,57 @@ constexpr double kMaxTrianglePx = 0.005;
 /// Of each length that is added up on the way from object to clip space: three products and sums, twice.
 constexpr double kVertexRounding = 6 * 0x1p-24;
 
-/// Pixels that rounding moves a corner by: `everywhere`, and `near` over its depth.
-struct Rounding {
-  double everywhere, near;
-};
+/// What rounding moves the corners of triangles by.
+class Rounding {
+ public:
+  Rounding(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Vec3& origin,
+           const Vec3& vertexOrigin)
+      : place_(node.worldFromObject),
+        origin_(origin),
+        vertexOrigin_(vertexOrigin),
+        middle_(vertexOrigin + Vec3(vertexMiddle(node, origin, vertexOrigin))),
+        stretch_(visible.stretch),
+        isStored_(vertexOrigin != node.surface.triangles()->mesh.origin()) {
+    translation_ = glm::distance(transformPoint(place_, middle_), origin_);
+    const double slant = view.perspective() ? 1 + glm::length(view.halfExtent) : 1;
+    pixels_ = kVertexRounding * view.pixelsPerUnit * slant;
+    everywhere_ = pixels_ * (view.perspective() ? slant : glm::length(view.halfExtent));
+  }
 
-Rounding roundingOf(const View& view, const SnapshotNode& node, const VisibleNode& visible,
-                    const Vec3& origin) {
-  const Vec3& middle = node.surface.triangles()->mesh.origin();
-  double object = 0, relative = 0;
-  for (const Vec3& corner : cornersOf(node.boundsObject))
-    object = std::max(object, glm::distance(corner, middle));
-  for (const Vec3& corner : cornersOf(node.boundsWorld))
-    relative = std::max(relative, glm::distance(corner, origin));
-  const double lengths = visible.stretch * object + relative +
-                         glm::distance(transformPoint(node.worldFromObject, middle), origin);
-  const double slant = view.perspective() ? 1 + glm::length(view.halfExtent) : 1;
-  const double rounding = kVertexRounding * view.pixelsPerUnit * slant;
-  if (view.perspective()) return {rounding * slant, rounding * lengths};
-  return {rounding * (glm::length(view.halfExtent) + lengths), 0};
-}
+  /// The lengths that are added up for any corner within so many metres, of the object, of a point.
+  [[nodiscard]] double lengths(const Vec3& point, double radius) const {
+    const Vec3 fromMiddle = glm::abs(point - middle_);
+    double sum = glm::distance(transformPoint(place_, point), origin_) + translation_;
+    for (int i = 0; i < 3; ++i) sum += glm::length(place_.linear[i]) * fromMiddle[i];
+    if (isStored_) sum += stretch_ * glm::distance(point, vertexOrigin_);
+    // Of the sum over columns at most the square root of 3 times that, of each other distance once.
+    return sum + 4 * stretch_ * radius;
+  }
+  [[nodiscard]] double lengths(const Sphere& sphere) const { return lengths(sphere.center, sphere.radius); }
+  [[nodiscard]] double lengths(const std::array<Vec3, 3>& corners) const {
+    double most = 0;
+    for (const Vec3& corner : corners) most = std::max(most, lengths(corner, 0));
+    return most;
+  }
+
+  /// Whether parallel rays may see a corner of such lengths moved too far.
+  [[nodiscard]] bool blursParallel(double lengths) const {
+    return !(everywhere_ + pixels_ * lengths < kMaxTrianglePx);
+  }
+  /// The depth nearer than which others may.
+  [[nodiscard]] double blurredDepth(double lengths) const {
+    const double left = kMaxTrianglePx - everywhere_;
+    return left > 0 ? pixels_ * lengths / left : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  Transform place_;
+  Vec3 origin_, vertexOrigin_, middle_;
+  double stretch_, translation_ = 0;
+  bool isStored_;          ///< as other floats than the triangles' own
+  double pixels_ = 0;      ///< for each metre of lengths, at a depth of 1
+  double everywhere_ = 0;  ///< on the way to the picture, whatever the lengths
+};
 
 /// Corners as right, down and depth, all times the depth but for the last (PixelRows).
 using Polygon = std::vector<Vec3>;
@@ -57,19 +89,16 @@ void clip(Polygon& polygon, const Function& function) {
   polygon = std::move(part);
 }
 
-/// Nearer to the eye than some depth, in the picture.
+/// Of triangles, in the picture.
 class NearPart {
  public:
-  NearPart(const View& view, double depth)
-      : size_(view.size),
-        near_(0.5 * view.near),
-        depth_(depth),
-        half_(0.5 * size_.width + 2, 0.5 * size_.height + 2) {}
+  explicit NearPart(const View& view)
+      : size_(view.size), near_(0.5 * view.near), half_(0.5 * size_.width + 2, 0.5 * size_.height + 2) {}
 
-  /// Adds the pixels of a triangle's part.
-  void add(Polygon& polygon, std::vector<PixelRect>& rects) const {
+  /// Adds the pixels of the part that is nearer to the eye than that.
+  void add(Polygon& polygon, double depth, std::vector<PixelRect>& rects) const {
     clip(polygon, [&](const Vec3& p) { return p.z - near_; });
-    clip(polygon, [&](const Vec3& p) { return depth_ - p.z; });
+    if (std::isfinite(depth)) clip(polygon, [&](const Vec3& p) { return depth - p.z; });
     for (const double side : {-1.0, 1.0}) {
       clip(polygon, [&](const Vec3& p) { return half_.x * p.z - side * p.x; });
       clip(polygon, [&](const Vec3& p) { return half_.y * p.z - side * p.y; });
@@ -92,42 +121,41 @@ class NearPart {
 
  private:
   PixelSize size_;
-  double near_, depth_;
+  double near_;
   Vec2 half_;
 };
 
 }  // namespace
 
 void appendBlurred(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Vec3& origin,
-                   std::vector<PixelRect>& rects) {
-  const Rounding rounding = roundingOf(view, node, visible, origin);
-  const double left = kMaxTrianglePx - rounding.everywhere;
-  if (!(left > 0)) {
-    rects.push_back(pixelsOf(view, node.boundsWorld));
+                   const Vec3& vertexOrigin, std::vector<PixelRect>& rects) {
+  const Rounding rounding(view, node, visible, origin, vertexOrigin);
+  const double ofAll = rounding.lengths(sphereAround(node.boundsObject));
+  if (!view.perspective()) {
+    if (rounding.blursParallel(ofAll)) rects.push_back(pixelsOf(view, node.boundsWorld));
     return;
   }
-  const double depth = rounding.near / left;
-  if (!view.perspective() || !(depth > visible.nearestDepth)) return;
+  if (!(rounding.blurredDepth(ofAll) > visible.nearestDepth)) return;
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   const SurfaceTriangles& triangles = *node.surface.triangles();
-  const NearPart part(view, depth);
+  const NearPart part(view);
   const auto before = static_cast<std::ptrdiff_t>(rects.size());
   Polygon polygon;
   for (const MeshCluster& cluster : triangles.mesh.clusters()) {
     const std::uint32_t first = std::max(cluster.firstTriangle, triangles.first),
                         end = std::min(cluster.firstTriangle + cluster.triangles,
                                        triangles.first + triangles.count);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Vec3& corner : cornersOf(cluster.bounds))
-      nearest = std::min(nearest, glm::dot(rows.depth, Vec4(corner, 1)));
-    if (nearest > depth) continue;
+    const double nearest =
+        glm::dot(rows.depth, Vec4(cluster.sphere.center, 1)) - visible.stretch * cluster.sphere.radius;
+    if (nearest > rounding.blurredDepth(rounding.lengths(cluster.sphere))) continue;
     for (std::uint32_t i = first; i < end; ++i) {
+      const std::array<Vec3, 3> corners = triangles.points(i - triangles.first);
       polygon.clear();
-      for (const Vec3& point : triangles.points(i - triangles.first)) {
+      for (const Vec3& point : corners) {
         const Vec4 p(point, 1);
         polygon.emplace_back(glm::dot(rows.x, p), glm::dot(rows.y, p), glm::dot(rows.depth, p));
       }
-      part.add(polygon, rects);
+      part.add(polygon, rounding.blurredDepth(rounding.lengths(corners)), rects);
     }
   }
   // Of triangles that all are across the picture one is enough.

@@ -6,9 +6,9 @@
 #ifdef LUXO_RAY_POINT
 InstanceData instanceOfVertex() { return instances[gl_InstanceIndex]; }
 #else
-layout(location = kLocationInstance) in vec3 inRelativeFromObject0;
-layout(location = kLocationInstance + 1) in vec3 inRelativeFromObject1;
-layout(location = kLocationInstance + 2) in vec3 inRelativeFromObject2;
+layout(location = kLocationInstance) in vec4 inRelativeFromObject0;
+layout(location = kLocationInstance + 1) in vec4 inRelativeFromObject1;
+layout(location = kLocationInstance + 2) in vec4 inRelativeFromObject2;
 layout(location = kLocationInstance + 3) in vec3 inTranslation;
 layout(location = kLocationInstance + 4) in vec3 inNormalFromObject0;
 layout(location = kLocationInstance + 5) in vec3 inNormalFromObject1;
@@ -17,7 +17,7 @@ layout(location = kLocationInstance + 7) in uvec3 inInstanceNumbers;  // flags, 
 layout(location = kLocationInstance + 8) in vec4 inDomain;
 
 InstanceData instanceOfVertex() {
-  return InstanceData(mat3(inRelativeFromObject0, inRelativeFromObject1, inRelativeFromObject2), inTranslation,
+  return InstanceData(vec4[](inRelativeFromObject0, inRelativeFromObject1, inRelativeFromObject2), inTranslation,
                       mat3(inNormalFromObject0, inNormalFromObject1, inNormalFromObject2), inInstanceNumbers.x,
                       inInstanceNumbers.y, inInstanceNumbers.z, inDomain);
 }

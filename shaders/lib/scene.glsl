@@ -28,8 +28,13 @@ vec4 parameterBounds(InstanceData instance) {
   return vec4(instance.domain.xy + margin, instance.domain.xy + instance.domain.zw - margin);
 }
 
+mat3 linearOf(InstanceData instance) {
+  return mat3(instance.relativeFromObject[0].xyz, instance.relativeFromObject[1].xyz, instance.relativeFromObject[2].xyz);
+}
+
 vec3 relativeFromObject(InstanceData instance, vec3 position) {
-  return instance.relativeFromObject * position + instance.translation;
+  vec3 middle = vec3(instance.relativeFromObject[0].w, instance.relativeFromObject[1].w, instance.relativeFromObject[2].w);
+  return linearOf(instance) * (position - middle) + instance.translation;
 }
 
 // Which side of a surface is seen, given its outward normal, the direction toward the viewer (both unit) and whether the

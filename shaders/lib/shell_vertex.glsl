@@ -61,7 +61,7 @@ void main() {
   varyingX = exact.x;
   varyingY = exact.y;
   varyingDepth = exact.depth;
-  for (int i = 0; i < 3; ++i) varyingRelative[i] = vec4(instance.relativeFromObject[i], exact.translation[i]);
+  for (int i = 0; i < 3; ++i) varyingRelative[i] = vec4(instance.relativeFromObject[i].xyz, exact.translation[i]);
   varyingDomain = surfacePatch.domain;
   varyingCellHalf = vec4(inCell.xy, exact.half_);
   varyingClip = vec3(exact.clipDepth, exact.thickness);

@@ -33,8 +33,8 @@ void main() {
   outFrame = inFrame;
 #endif
 #ifdef LUXO_TANGENTS
-  float handed = determinant(instance.relativeFromObject) < 0.0 ? -inTangent.w : inTangent.w;
-  outTangent = vec4(unitOrZero(instance.relativeFromObject * inTangent.xyz), handed);
+  float handed = determinant(linearOf(instance)) < 0.0 ? -inTangent.w : inTangent.w;
+  outTangent = vec4(unitOrZero(linearOf(instance) * inTangent.xyz), handed);
   outRestNormal = vec3(0);
   if (isRest(inTangent)) {
     outTangent = vec4(inTangent.xyz, 4.0);

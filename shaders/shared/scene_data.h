@@ -133,8 +133,8 @@ struct ViewData {
 };
 
 struct InstanceData {
-  mat3 relativeFromObject;
-  vec3 translation;
+  vec4 relativeFromObject[3];  // columns; and, in w, coordinates of a point of object space
+  vec3 translation;            // where that is
   mat3 normalFromObject;  // cofactor matrix, largest entry 1; unit length is restored per vertex
   uint flags;
   uint material;
@@ -497,7 +497,7 @@ static_assert(kEquationLowest + 3 == kEquationHighest && kEquationHighest + 3 ==
               kEquationV + 3 == kEquationScale);
 static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kFaultSeenThrough < 8);
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 112 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 88 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);

@@ -80,6 +80,19 @@ TEST_F(MeshPicture, FromAsNearAsFloatsAllowThePointsAreTheRays) {
   EXPECT_LT(byRays, pixels / 2);
 }
 
+// What floats leave of corners that are near to the eye is as little as they are far, however large the mesh.
+TEST_F(MeshPicture, FromNearAFineMeshNoPixelNeedsARay) {
+  const Scene scene = sceneOf(icosphere(6));
+  for (const double distance : {1.3, 1.05, 1.02}) {
+    SCOPED_TRACE(distance);
+    const Vec3 out = unit(Vec3(1, 0.8, 1.5));
+    const Snapshot snapshot = takeSnapshot(
+        scene, 0, {320, 240}, {.eye = distance * out, .lookAt = Vec3(0.3, 0.9, 0.2), .near = 1e-3});
+    EXPECT_EQ(renderer().render(snapshot, {}).statistics.error.resolvedByRaysPx, 0U);
+    expectExact(snapshot, 5000);
+  }
+}
+
 // Its vertices are more than 16 bits number: it is drawn window by window (mesh/index_windows.h).
 TEST_F(MeshPicture, OfMoreVerticesThan16BitsNumberIsTheTrianglesOwnPoint) {
   const TriangleMesh ball = icosphere(7);
