@@ -2,20 +2,22 @@
 // Which clusters of a mesh a draw needs: those in the picture some of whose triangles may show a face that is
 // drawn, and that no solid hides.
 //
-// All are proofs. A cluster is left out as a node is where it is outside the picture (cull/cull.h). It is
-// hidden by balls inside of solids (cull/occluder_grid.h), of those of which the near plane clips nothing in
-// the picture: what it clips gets other corners, and may not close up. (At the sides the new corners are on the
-// edges, but for kMovedPx.) And both are no more than kDeep times as deep at the far end of a cluster as at the
-// near one: a device finds the depths of a triangle by a float plane, which is off everywhere by what it rounds
-// away at the near end. Where
-// only one face of triangles is drawn it is left out if the rasteriser finds each of its triangles to show
-// the other: the eye is on that side of their planes, and they are so high in the picture that corners that
-// move, by single precision and to the raster's grid, do not turn them over. How high: let D be at least the
-// distance from the eye to their planes, h their smallest height, and let the cluster be from z to Z deep and
-// at most r from the eye. The area of a triangle's image is f^2 A D over the product of its corners' depths,
-// and no length grows by more than f r / z^2: so the height of its image is at least f h D z^2 / (Z^3 r), and
-// of parallel rays, with the sine D, f h D. A triangle turns over only where a corner crosses the line
-// through the others, for which it has to be no higher than two corners may move.
+// All are proofs. A cluster is left out as a node is where it is outside the picture (cull/cull.h).
+//
+// It is hidden by balls inside of solids (cull/occluder_grid.h), of those of which the near plane clips
+// nothing in the picture: what it clips gets other corners, and may not close up. (At the sides the new
+// corners are on the edges, but for kMovedPx.) And both are no more than kDeep times as deep at the far end
+// of a cluster as at the near one: a device finds the depths of a triangle by a float plane, which is off
+// everywhere by what it rounds away at the near end.
+//
+// Where only one face of triangles is drawn it is left out if the rasteriser finds each of its triangles to
+// show the other: the eye is on that side of their planes, and they are so high in the picture that corners
+// that move, by single precision and to the raster's grid, do not turn them over. How high: let D be at least
+// the distance from the eye to their planes, h their smallest height, and let the cluster be from z to Z deep
+// and at most r from the eye. The area of a triangle's image is f^2 A D over the product of its corners'
+// depths, and no length grows by more than f r / z^2: so the height of its image is at least f h D z^2 / (Z^3
+// r), and of parallel rays, with the sine D, f h D. A triangle turns over only where a corner crosses the
+// line through the others, for which it has to be no higher than two corners may move.
 #pragma once
 
 #include <cstdint>

@@ -30,6 +30,7 @@ class Rounding {
         origin_(origin),
         vertexOrigin_(vertexOrigin),
         middle_(vertexOrigin + Vec3(vertexMiddle(node, origin, vertexOrigin))),
+        columns_(glm::length(place_.linear[0]), glm::length(place_.linear[1]), glm::length(place_.linear[2])),
         stretch_(visible.stretch),
         isStored_(vertexOrigin != node.surface.triangles()->mesh.origin()) {
     translation_ = glm::distance(transformPoint(place_, middle_), origin_);
@@ -38,27 +39,22 @@ class Rounding {
     everywhere_ = pixels_ * (view.perspective() ? slant : glm::length(view.halfExtent));
   }
 
-  /// The lengths that are added up for any corner within so many metres, of the object, of a point.
-  [[nodiscard]] double lengths(const Vec3& point, double radius) const {
-    const Vec3 fromMiddle = glm::abs(point - middle_);
-    double sum = glm::distance(transformPoint(place_, point), origin_) + translation_;
-    for (int i = 0; i < 3; ++i) sum += glm::length(place_.linear[i]) * fromMiddle[i];
-    if (isStored_) sum += stretch_ * glm::distance(point, vertexOrigin_);
-    // Of the sum over columns at most the square root of 3 times that, of each other distance once.
-    return sum + 4 * stretch_ * radius;
+  /// The lengths that are added up for a corner.
+  [[nodiscard]] double lengths(const Vec3& corner) const {
+    double sum = glm::dot(columns_, glm::abs(corner - middle_)) +
+                 glm::distance(transformPoint(place_, corner), origin_) + translation_;
+    if (isStored_) sum += stretch_ * glm::distance(corner, vertexOrigin_);
+    return sum;
   }
-  [[nodiscard]] double lengths(const Sphere& sphere) const { return lengths(sphere.center, sphere.radius); }
-  [[nodiscard]] double lengths(const std::array<Vec3, 3>& corners) const {
+  /// The most for any point between these, as they are convex.
+  template <std::size_t count>
+  [[nodiscard]] double lengths(const std::array<Vec3, count>& corners) const {
     double most = 0;
-    for (const Vec3& corner : corners) most = std::max(most, lengths(corner, 0));
+    for (const Vec3& corner : corners) most = std::max(most, lengths(corner));
     return most;
   }
 
-  /// Whether parallel rays may see a corner of such lengths moved too far.
-  [[nodiscard]] bool blursParallel(double lengths) const {
-    return !(everywhere_ + pixels_ * lengths < kMaxTrianglePx);
-  }
-  /// The depth nearer than which others may.
+  /// The depth, of parallel rays 1 for any, nearer than which a corner of such lengths may be moved too far.
   [[nodiscard]] double blurredDepth(double lengths) const {
     const double left = kMaxTrianglePx - everywhere_;
     return left > 0 ? pixels_ * lengths / left : std::numeric_limits<double>::infinity();
@@ -66,7 +62,7 @@ class Rounding {
 
  private:
   Transform place_;
-  Vec3 origin_, vertexOrigin_, middle_;
+  Vec3 origin_, vertexOrigin_, middle_, columns_;  ///< columns_: their lengths
   double stretch_, translation_ = 0;
   bool isStored_;          ///< as other floats than the triangles' own
   double pixels_ = 0;      ///< for each metre of lengths, at a depth of 1
@@ -98,7 +94,7 @@ class NearPart {
   /// Adds the pixels of the part that is nearer to the eye than that.
   void add(Polygon& polygon, double depth, std::vector<PixelRect>& rects) const {
     clip(polygon, [&](const Vec3& p) { return p.z - near_; });
-    if (std::isfinite(depth)) clip(polygon, [&](const Vec3& p) { return depth - p.z; });
+    clip(polygon, [&](const Vec3& p) { return depth - p.z; });
     for (const double side : {-1.0, 1.0}) {
       clip(polygon, [&](const Vec3& p) { return half_.x * p.z - side * p.x; });
       clip(polygon, [&](const Vec3& p) { return half_.y * p.z - side * p.y; });
@@ -130,12 +126,12 @@ class NearPart {
 void appendBlurred(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Vec3& origin,
                    const Vec3& vertexOrigin, std::vector<PixelRect>& rects) {
   const Rounding rounding(view, node, visible, origin, vertexOrigin);
-  const double ofAll = rounding.lengths(sphereAround(node.boundsObject));
-  if (!view.perspective()) {
-    if (rounding.blursParallel(ofAll)) rects.push_back(pixelsOf(view, node.boundsWorld));
+  const double depth = rounding.blurredDepth(rounding.lengths(cornersOf(node.boundsObject)));
+  if (view.perspective() ? !std::isfinite(depth) : depth > 1) {
+    rects.push_back(pixelsOf(view, node.boundsWorld));
     return;
   }
-  if (!(rounding.blurredDepth(ofAll) > visible.nearestDepth)) return;
+  if (!view.perspective() || !(depth > visible.nearestDepth)) return;
   const PixelRows rows = pixelRows(view, node.worldFromObject);
   const SurfaceTriangles& triangles = *node.surface.triangles();
   const NearPart part(view);
@@ -147,7 +143,7 @@ void appendBlurred(const View& view, const SnapshotNode& node, const VisibleNode
                                        triangles.first + triangles.count);
     const double nearest =
         glm::dot(rows.depth, Vec4(cluster.sphere.center, 1)) - visible.stretch * cluster.sphere.radius;
-    if (nearest > rounding.blurredDepth(rounding.lengths(cluster.sphere))) continue;
+    if (nearest > rounding.blurredDepth(rounding.lengths(cornersOf(cluster.bounds)))) continue;
     for (std::uint32_t i = first; i < end; ++i) {
       const std::array<Vec3, 3> corners = triangles.points(i - triangles.first);
       polygon.clear();

@@ -261,17 +261,11 @@ class Crossings {
   int sum_ = 0;
 };
 
-/// Relative to a point.
-Transform seenFrom(const Vec3& point, Transform place) {
-  place.translation -= point;
-  return place;
-}
-
 }  // namespace
 
 std::optional<int> windingNumber(const TriangleMesh& mesh, const Transform& place, const Vec3& point,
                                  double slack) {
-  const Transform relative = seenFrom(point, place);
+  const Transform relative{place.linear, place.translation - point};
   const auto cornersOf = [&](std::uint32_t triangle) {
     const auto at = mesh.indices().subspan(std::size_t{3} * triangle, 3);
     return Corners{transformPoint(relative, mesh.point(at[0])), transformPoint(relative, mesh.point(at[1])),

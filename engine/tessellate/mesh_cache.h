@@ -36,7 +36,8 @@ class MeshCache {
   [[nodiscard]] bool boundsSolid(const Surface& surface, std::span<const double> parameters);
 
   /// inscribedBalls() of triangles that bound a solid; valid until the next call. None when they are asked
-  /// for first: of what is drawn once, as of what moves, they would cost more than they spare.
+  /// for first: of what is drawn once, as of what moves, they would cost more than they spare. So it is of
+  /// more meshes in a picture than the table holds.
   [[nodiscard]] std::span<const Sphere> inscribedBalls(const Surface& triangles);
 
   [[nodiscard]] std::size_t bytes() const { return meshes_.bytes(); }

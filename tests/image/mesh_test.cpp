@@ -93,6 +93,36 @@ TEST_F(MeshPicture, FromNearAFineMeshNoPixelNeedsARay) {
   }
 }
 
+/// Every other cell of a grid in the plane y = 0, from a corner on.
+void addChecks(MeshArrays& arrays, double x, double z, double cell, int count) {
+  for (int i = 0; i < count; ++i)
+    for (int j = i % 2; j < count; j += 2) {
+      const auto first = std::uint32_t(arrays.positions.size());
+      const double left = x + cell * i, back = z + cell * j;
+      arrays.positions.insert(
+          arrays.positions.end(),
+          {{left, 0, back}, {left, 0, back + cell}, {left + cell, 0, back + cell}, {left + cell, 0, back}});
+      for (const std::uint32_t corner : {0, 1, 2, 0, 2, 3}) arrays.indices.push_back(first + corner);
+    }
+}
+
+// Long edges of what is flat are clipped, and the corners that this makes are floats from their middle, which
+// may be kilometres away.
+TEST_F(MeshPicture, OfAFloorThatIsClippedItsNearEdgesAreTheTrianglesOwn) {
+  MeshArrays arrays;
+  addChecks(arrays, -40, -40, 2, 40);
+  addChecks(arrays, 20000, 8000, 20, 100);
+  Scene scene = sceneOf(triangleMesh(std::move(arrays), "floor"));
+  for (const double turn : {0.1, 0.7, 1.3})
+    expectExact(
+        takeSnapshot(scene, 0, {320, 240},
+                     {.eye = Vec3(0.3, 0.6, 0.2),
+                      .lookAt = Vec3(0.3 + 5 * std::cos(0.02 * turn), 0.25, 0.2 + 5 * std::sin(0.02 * turn)),
+                      .fovY = radians(13.7),
+                      .near = 0.1}),
+        5000);
+}
+
 // Its vertices are more than 16 bits number: it is drawn window by window (mesh/index_windows.h).
 TEST_F(MeshPicture, OfMoreVerticesThan16BitsNumberIsTheTrianglesOwnPoint) {
   const TriangleMesh ball = icosphere(7);
