@@ -270,8 +270,7 @@ class Exporter {
   }
 
   [[nodiscard]] MeshArrays plateOf(const SnapshotNode& from, const Mesh& mesh) {
-    Plate plate =
-        thickened(mesh, desc_.thickness, !from.surface.triangles() && !from.surface.topology().orientable);
+    Plate plate = thickened(mesh, desc_.thickness, !from.surface.topology().orientable);
     if (plate.folded > 0)
       warn(fmt::format("{} bends more sharply than half its thickness: {} triangles are turned over",
                        nameOf(from.id), plate.folded));

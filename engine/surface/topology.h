@@ -53,7 +53,7 @@ struct Topology {
   /// ones), else -1. Patches that are joined agree on their outside wherever the surface is orientable.
   std::vector<double> orientations;
   bool closed = false;      ///< encloses a volume
-  bool orientable = true;   ///< has two sides
+  bool orientable = true;   ///< has two sides; triangles always have: their corners run around the front
   bool borderless = false;  ///< every edge is joined or collapsed, whether or not a volume is enclosed
   int eulerCharacteristic = 1;
 

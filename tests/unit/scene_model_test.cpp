@@ -212,6 +212,7 @@ TEST(SurfaceOfTriangles, KnowsItsBoundsRangeAndShape) {
   const Surface quad = test::quadMesh(), cube = test::cubeMesh();
   EXPECT_EQ(quad.name(), "quad");
   EXPECT_EQ(quad.patchCount(), 0U);
+  EXPECT_TRUE(quad.topology().orientable);
   EXPECT_EQ(quad.bounds({}), (Box{{-1, -1, 0}, {1, 1, 0}}));
   EXPECT_EQ(quad.domain(), (Domain{{0, 1}, {0, 1}}));
   EXPECT_EQ(quad.flatNormal(), std::optional(Vec3(0, 0, 1)));
