@@ -15,7 +15,7 @@ namespace {
 std::vector<WholeLight> lightsOnMeshes(const Snapshot& snapshot, const DrawOptions& options) {
   const bool meshes = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
     const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
-    return isLitMesh(shading) && !(node.surface.triangles() && shading == Shading::Phong);
+    return isLitMesh(shading) && !(node.surface.isPolygonal() && shading == Shading::Phong);
   });
   std::vector<WholeLight> lights = wholeLights(withExactShadows(snapshot));
   const auto hasShadow = [](const WholeLight& whole) { return whole.light.hasShadow(); };

@@ -301,7 +301,7 @@ class Inspector {
   }
 
   std::string geometryWords(const SnapshotNode& node, bool through, const DrawOptions& options) const {
-    if (node.surface.triangles()) return "a model's triangles, as they are";
+    if (node.surface.isPolygonal()) return "a model's triangles, as they are";
     if (through ? findsLayers(snapshot_, node, options) : findsSurface(snapshot_, node, options))
       return "a formula: every pixel finds the point of it that its ray meets";
     return fmt::format("triangles within {} px of the formula", options.tolerancePx);

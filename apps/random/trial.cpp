@@ -47,8 +47,8 @@ class Samples {
     anyShader_ = std::ranges::any_of(snapshot.nodes, [&](const SnapshotNode& node) {
       return snapshot.materials[node.material.index].shader != nullptr;
     });
-    anyTriangles_ = std::ranges::any_of(
-        snapshot.nodes, [](const SnapshotNode& node) { return node.surface.triangles() != nullptr; });
+    byPlace_ = std::ranges::any_of(snapshot.nodes,
+                                   [](const SnapshotNode& node) { return !node.surface.isParametric(); });
     const auto count = static_cast<std::size_t>(snapshot.view.size.width) *
                        static_cast<std::size_t>(snapshot.view.size.height);
     mean_.assign(count, Vec3(0));
@@ -147,7 +147,7 @@ class Samples {
     }
     measured = {.color = std::move(color.image),
                 .depth = {},
-                .position = anyTriangles_ ? compared(Output::Position) : Image(),
+                .position = byPlace_ ? compared(Output::Position) : Image(),
                 .normal = {},
                 .uv = compared(Output::Uv),
                 .id = compared(Output::Id)};
@@ -233,8 +233,8 @@ class Samples {
   const std::function<bool()>& goesOn_;
   Trial& trial_;
   reference::Layers layers_;
-  bool anyShader_ = false;     ///< of a material
-  bool anyTriangles_ = false;  ///< whose points are judged by where they are
+  bool anyShader_ = false;  ///< of a material
+  bool byPlace_ = false;    ///< points of a surface are judged by where they are
   ReferenceCaster caster_;
   std::vector<Vec3> mean_;
   std::vector<std::uint8_t> right_;

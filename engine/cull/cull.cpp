@@ -265,7 +265,7 @@ VisibleList cull(const Snapshot& snapshot, const CullOptions& options) {
     }
     // Of triangles this is no skip: where both sides meet rounding decides which is nearer, but the front is
     // what is seen.
-    const bool showsFronts = options.backface || node.surface.triangles();
+    const bool showsFronts = options.backface || node.surface.isPolygonal();
     visible.closedFromOutside =
         showsFronts && !lines && node.surface.closed() && !transparent && seenFromOutside(view, node, bounds);
     appendLights(snapshot, node, bounds, options.lights, visible, list);

@@ -175,7 +175,7 @@ class DrawLister {
       const Shading shading = material.shadingIn(options_.shading);
       if (shading == Shading::Wireframe)
         wires.push_back(v);
-      else if (findsLayers(snapshot_, node, options_) && !node.surface.triangles())
+      else if (findsLayers(snapshot_, node, options_) && !node.surface.isPolygonal())
         findLayers(v, node, material);
       else
         listLayerMesh(v, node, material, !isColor || shading == Shading::Exact ? Shading::Phong : shading);
@@ -218,13 +218,13 @@ class DrawLister {
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
     const LightSets::Choice lights = materials_.lightLayer(batch, lightSets_, node);
-    if (batch.again && node.surface.triangles()) batch.again->tangents = readsTangents(*batch.again);
+    if (batch.again && node.surface.isPolygonal()) batch.again->tangents = readsTangents(*batch.again);
     batch.lightSet = lights.index;
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
     batch.state.spots = lights.spots;
     batch.state.details = list_.layers.details;
-    batch.state.tangents = batch.state.details && node.surface.triangles();
+    batch.state.tangents = batch.state.details && node.surface.isPolygonal();
     batch.flat = node.surface.flatNormal().has_value();
     batch.state.isSurface = findsLayers(snapshot_, node, options_);
     Item item{.lightSet = lights.index};
@@ -299,7 +299,7 @@ class DrawLister {
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
     batch.state.spots = lights.spots;
-    if (node.surface.triangles()) {
+    if (node.surface.isPolygonal()) {
       if (options_.skips.hidden && hidesBackFaces(v, node, geometry_.meshes)) solids_.push_back(v.node);
       batch.state.tangents = batch.state.frame || readsTangents(batch.state);
       if (batch.again) batch.again->tangents = readsTangents(*batch.again);
@@ -312,7 +312,7 @@ class DrawLister {
       item.found->byRays = true;
       item.found->tangents = false;
       if (shading == Shading::Exact) item.found->shading = Shading::Phong;
-      if (node.surface.triangles()) {
+      if (node.surface.isPolygonal()) {
         origin = addTriangles(item, batch, node, v);
       } else if (auto shell = shells_.add(batch, node, v)) {
         item.batches = std::move(shell->batches);

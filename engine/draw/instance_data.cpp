@@ -51,7 +51,7 @@ std::optional<Vec3> farMiddleSeen(const Snapshot& snapshot) {
 }  // namespace
 
 Vec3f vertexMiddle(const SnapshotNode& node, const Vec3& shadingOrigin, const Vec3& origin) {
-  if (!node.surface.triangles()) return Vec3f(0);
+  if (!node.surface.isPolygonal()) return Vec3f(0);
   const Transform& place = node.worldFromObject;
   const Vec3 middle = glm::inverse(place.linear) * (shadingOrigin - place.translation) - origin;
   // What is rounded is relative to these lengths: of a node's own T R S at most the square root of 3 times

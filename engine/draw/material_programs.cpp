@@ -12,7 +12,7 @@ namespace luxo {
 namespace {
 
 void requireCurvature(const SnapshotNode& node, const Material& material) {
-  if (!material.shader->readsCurvature() || material.curvature.valid() || node.surface.triangles()) return;
+  if (!material.shader->readsCurvature() || material.curvature.valid() || node.surface.isPolygonal()) return;
   throw Error(
       ErrorKind::Scene,
       fmt::format("the shader '{}' reads the curvature of its surface, which material '{}' does not know",

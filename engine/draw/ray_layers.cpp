@@ -71,7 +71,7 @@ std::optional<reference::Hit> LayerRays::ofMesh(const shared::LayerPoint& point,
                                                 const reference::Caster::Sight& sight) const {
   const View& view = caster_.snapshot().view;
   const SnapshotNode& of = caster_.snapshot().nodes[node];
-  if (!of.surface.triangles()) return caster_.pointAt(node, Vec2(point.parameters), ray);
+  if (of.surface.isParametric()) return caster_.pointAt(node, Vec2(point.parameters), ray);
   const double depth = originDepth_ + point.depth, rounding = depthRounding(view, of);
   std::optional<reference::Hit> nearest;
   double least = kInfinity;
@@ -129,7 +129,7 @@ shared::LayerPoint LayerRays::found(const LitPoint& point, float leastDepth) con
           .material = point.point.material | shared::kLayerByRay | hole,
           .shadows = point.light.empty() ? 0 : point.light[0].shadows,
           .normal = octahedral(hit.normal),
-          .parameters = Vec2f(surface.triangles() ? Vec2(hit.u, hit.v) : inside(surface.domain(), hit)),
+          .parameters = Vec2f(surface.isParametric() ? inside(surface.domain(), hit) : Vec2(hit.u, hit.v)),
           .transmittance = point.light.empty() ? Vec3f(1) : point.light[0].transmittance};
 }
 

@@ -137,7 +137,7 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
     if (layers) layers_.push_back(i);
     const Material& material = snapshot.materials[snapshot.nodes[i].material.index];
     if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
-    if (surface && snapshot.nodes[i].surface.triangles()) mostRoundingPx_ = kMaxTrianglesPx;
+    if (surface && snapshot.nodes[i].surface.isPolygonal()) mostRoundingPx_ = kMaxTrianglesPx;
     if (surface || layers) rounding_ = std::max(rounding_, depthRounding(snapshot.view, snapshot.nodes[i]));
   }
 }

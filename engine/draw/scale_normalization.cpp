@@ -23,7 +23,7 @@ Vec3 powersOfTwo(const Mat3& linear) {
 
 /// Of triangles nothing is searched for.
 bool isUneven(const SnapshotNode& node) {
-  if (node.surface.triangles()) return false;
+  if (node.surface.isPolygonal()) return false;
   const Vec3 extent = node.boundsObject.extent();
   const Mat3& linear = node.worldFromObject.linear;
   Vec3 inWorld;

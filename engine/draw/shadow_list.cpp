@@ -97,7 +97,7 @@ class ShadowLister {
     if (!batch.mesh || batch.flat || batch.state.isSurface || batch.state.form == Form::Fused) return 0;
     for (std::uint32_t i = 0; i < batch.instanceCount; ++i) {
       const std::uint32_t node = list_.instanceNodes[batch.firstInstance + i];
-      if (snapshot_.nodes[node].surface.triangles()) continue;
+      if (snapshot_.nodes[node].surface.isPolygonal()) continue;
       const bool placed = batch.state.form == Form::Layer
                               ? std::ranges::binary_search(list_.layers.placed, node)
                               : std::ranges::binary_search(list_.placed, node, {}, &PlacedNode::node);

@@ -21,7 +21,6 @@
 #include "mesh/gltf_material.h"
 #include "mesh/turn.h"
 #include "scene/snapshot.h"
-#include "surface/surface_triangles.h"
 #include "tessellate/shape_cache.h"
 #include "tessellate/tessellator.h"
 
@@ -454,7 +453,7 @@ class Exporter {
       if (entry.removed || !node.surface.valid()) continue;
       if (places.back() || isCloth(node.surface) || std::ranges::any_of(node.surface.parameters(), moves))
         return true;
-      if (node.surface.triangles() && node.material.valid() && moves(scene_[node.material]) &&
+      if (node.surface.isPolygonal() && node.material.valid() && moves(scene_[node.material]) &&
           snapshot_.materials[node.material.index].movesVertices())
         return true;
       if (desc_.kept > Kept::Triangles && node.material.valid() && moves(scene_[node.material])) return true;

@@ -35,7 +35,7 @@ Vec2 ComparedPixels::centerOf(std::uint32_t i) const {
 bool ComparedPixels::isMesh(std::uint32_t i) const {
   const auto node = layers_.nodeOf(truth_.number[i]);
   return node && shadingOf(*node) != Shading::Exact &&
-         !(onTriangles(*node) && shadingOf(*node) == Shading::Phong);
+         !(surfaceOf(*node).isPolygonal() && shadingOf(*node) == Shading::Phong);
 }
 
 bool ComparedPixels::showsTexture(std::uint32_t i) const {
@@ -54,8 +54,9 @@ bool ComparedPixels::showsPlainColor(std::uint32_t i) const {
 }
 
 std::optional<Place> ComparedPixels::shownAt(std::uint32_t i, std::uint32_t node) const {
-  return onTriangles(node) ? layers_.onTriangle(node, parametersAt(i), valueAt(measured_.position, i))
-                           : layers_.at(node, parametersAt(i), truth_.position[i]);
+  return surfaceOf(node).isParametric()
+             ? layers_.at(node, parametersAt(i), truth_.position[i])
+             : layers_.onTriangle(node, parametersAt(i), valueAt(measured_.position, i));
 }
 
 Place ComparedPixels::seenAt(std::uint32_t i) const {

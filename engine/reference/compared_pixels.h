@@ -22,9 +22,7 @@ class ComparedPixels {
   [[nodiscard]] static Vec3 valueAt(const Image& image, std::uint32_t i);
   [[nodiscard]] Vec2 centerOf(std::uint32_t i) const;
   [[nodiscard]] Vec2 parametersAt(std::uint32_t i) const { return Vec2(valueAt(measured_.uv, i)); }
-  [[nodiscard]] bool onTriangles(std::uint32_t node) const {
-    return snapshot_.nodes[node].surface.triangles() != nullptr;
-  }
+  [[nodiscard]] const Surface& surfaceOf(std::uint32_t node) const { return snapshot_.nodes[node].surface; }
   [[nodiscard]] const Material& materialOf(std::uint32_t node) const {
     return snapshot_.materials[snapshot_.nodes[node].material.index];
   }

@@ -109,7 +109,7 @@ class Explanation {
                      .outward = hit.facet,
                      .lit = hit.normal,
                      .certified = hit.certified};
-    if (node.surface.triangles()) {
+    if (!node.surface.isParametric()) {
       point.positionObject =
           glm::inverse(node.worldFromObject.linear) * (hit.position - node.worldFromObject.translation);
     } else {

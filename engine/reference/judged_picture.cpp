@@ -102,9 +102,9 @@ class PictureJudge : ComparedPixels {
     };
     require(measured_.color, 3, "color", false);
     require(measured_.depth, 1, "depth", false);
-    const bool triangles = std::ranges::any_of(
-        snapshot_.nodes, [](const SnapshotNode& node) { return node.surface.triangles() != nullptr; });
-    require(measured_.position, 3, "position", triangles);
+    const bool byPlace = std::ranges::any_of(
+        snapshot_.nodes, [](const SnapshotNode& node) { return !node.surface.isParametric(); });
+    require(measured_.position, 3, "position", byPlace);
     require(measured_.normal, 3, "normal", false);
     require(measured_.uv, 3, "uv", true);
     require(measured_.id, 1, "id", true);
@@ -114,9 +114,9 @@ class PictureJudge : ComparedPixels {
 
   /// The truth, rounded to the output.
   [[nodiscard]] std::optional<Place> roundedPlace(const Place& seen) const {
-    return onTriangles(seen.node)
-               ? layers_.onTriangle(seen.node, seen.parameters, Vec3(roundedToFloat(seen.position)))
-               : layers_.at(seen.node, roundedToFloat(seen.parameters), seen.position);
+    return surfaceOf(seen.node).isParametric()
+               ? layers_.at(seen.node, roundedToFloat(seen.parameters), seen.position)
+               : layers_.onTriangle(seen.node, seen.parameters, Vec3(roundedToFloat(seen.position)));
   }
 
   void judge(std::size_t k, Floors& floors) {
@@ -149,7 +149,7 @@ class PictureJudge : ComparedPixels {
   /// Whether the parameters, or of triangles the place, are the truth's but for the output's single
   /// precision. At a rim that is infinitely steep that moves a point by pixels, or out of the domain.
   [[nodiscard]] bool tellsTheTruthRounded(std::uint32_t i) const {
-    if (onTriangles(*layers_.nodeOf(truth_.number[i])))
+    if (!surfaceOf(*layers_.nodeOf(truth_.number[i])).isParametric())
       return glm::distance(valueAt(measured_.position, i), truth_.position[i]) <=
              2 * kFloatRounding * glm::length(truth_.position[i]);
     const Vec2 off = glm::abs(parametersAt(i) - truth_.parameters[i]);
@@ -214,7 +214,7 @@ class PictureJudge : ComparedPixels {
   /// How far on the screen half a unit in the last place of u and of v may move a point, at most about; or,
   /// of triangles, of its place.
   [[nodiscard]] double roundingPx(const Place& shown) const {
-    if (onTriangles(shown.node))
+    if (!surfaceOf(shown.node).isParametric())
       return kFloatRounding * glm::length(shown.position) / layers_.footprint(shown.position);
     double sum = 0;
     for (const int axis : {0, 1}) {

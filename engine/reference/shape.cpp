@@ -39,7 +39,7 @@ Shape::Shape(const Surface& surface, std::span<const double> parameters)
       forms_(closedFormsOf(surface, parameters)) {}
 
 const CellTree& Shape::cells() const {
-  LUXO_REQUIRE(!surface_.triangles());
+  LUXO_REQUIRE(surface_.isParametric());
   std::call_once(building_, [this] {
     if (!cells_) buildCells(kManyCells);
   });

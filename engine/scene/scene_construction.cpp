@@ -185,7 +185,7 @@ void SceneConstruction::checkUnused(const BuiltMaterial& material) {
 }
 
 bool SceneConstruction::acceptNames(const NodeDesc& node, const Surface& surface) {
-  if (!surface.triangles()) return true;
+  if (surface.isParametric()) return true;
   problems_.add(
       node.material.place,
       fmt::format(
@@ -207,7 +207,7 @@ std::size_t SceneConstruction::shapeOf(std::size_t surface, const BuiltMaterial&
                                        const NodeDesc& node) {
   if (!material.displacement || !surfaces_[surface].surface.valid()) return surface;
   const MaterialDesc& by = *material.desc;
-  if (surfaces_[surface].surface.triangles()) {
+  if (!surfaces_[surface].surface.isParametric()) {
     problems_.add(node.material.place,
                   fmt::format("material '{}' displaces what it is on by a formula of u and v, and '{}' is a "
                               "mesh, without a formula of its points",

@@ -377,9 +377,9 @@ ShapeBuilder::MovingPaint ShapeBuilder::buildPaint(const MaterialDesc& material,
     if (c[i].isConstant() && !formulas_.accept(written[i], c[i].constant(), i < 3 ? kLight : kFraction))
       return {};
   const std::size_t problemsBefore = problems_.count();
-  const std::vector<Isolines> lines = isolinesOf(
-      material.isolines, std::span(c).subspan(ofPaint), formulas.u(), formulas.v(),
-      surface.valid() && !surface.triangles() ? surface.domain() : Domain{{0, 1}, {0, 1}}, formulas_);
+  const std::vector<Isolines> lines =
+      isolinesOf(material.isolines, std::span(c).subspan(ofPaint), formulas.u(), formulas.v(),
+                 surface.isParametric() ? surface.domain() : Domain{{0, 1}, {0, 1}}, formulas_);
   if (problems_.count() > problemsBefore) return {};
   const std::size_t parameters = formulas.parameters().size();
   if (!lines.empty()) {

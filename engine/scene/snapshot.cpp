@@ -324,7 +324,7 @@ void cutLights(Snapshot& snapshot) {
 void moveVertices(const Scene& scene, Snapshot& snapshot) {
   for (SnapshotNode& node : snapshot.nodes) {
     const Material& material = snapshot.materials[node.material.index];
-    if (!node.surface.triangles() || !material.movesVertices()) continue;
+    if (!node.surface.isPolygonal() || !material.movesVertices()) continue;
     node.surface = scene.vertexMovement()->moved(node.surface, material);
     node.boundsObject = node.surface.bounds({});
     node.boundsWorld = transformBounds(node.worldFromObject, node.boundsObject);

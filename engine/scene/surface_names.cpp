@@ -149,7 +149,7 @@ std::vector<Expr> surfaceValues(Graph& graph, const Surface& surface, std::uint3
 }
 
 Pattern curvaturePattern(const Surface& surface) {
-  if (surface.triangles()) return {};
+  if (!surface.isParametric()) return {};
   Graph graph;
   const std::vector<Expr> values = surfaceValues(graph, surface, kFirstParameter);
   constexpr std::size_t kBend = 6;

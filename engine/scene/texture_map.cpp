@@ -84,7 +84,7 @@ Axes axesOf(const Mat2& m) {
 }  // namespace
 
 TexturePlacement TextureMap::onceOver(const Surface& surface) {
-  if (surface.triangles()) return {};
+  if (!surface.isParametric()) return {};
   const Domain& domain = surface.domain();
   return {.linear = {1 / domain.u.width(), 0, 0, -1 / domain.v.width()},
           .constant = {-domain.u.lo / domain.u.width(), 1 + domain.v.lo / domain.v.width()}};

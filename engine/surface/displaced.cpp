@@ -402,7 +402,7 @@ std::vector<double> valuesAt(const std::vector<Animated<double>>& parameters, co
 }  // namespace
 
 Surface displaced(const Surface& surface, const Displacement& displacement, const Moment& start) {
-  if (surface.triangles())
+  if (!surface.isParametric())
     throw Error(ErrorKind::Scene,
                 fmt::format("'{}' is a mesh, and a displacement is a formula of u and v", surface.name()),
                 "move its vertices where the model is made");

@@ -239,7 +239,7 @@ Vec3 Surface::normal(std::uint32_t patch, double u, double v, std::span<const do
 }
 
 std::uint32_t Surface::patchAt(double u, double v) const {
-  if (triangles()) return 0;
+  if (!isParametric()) return 0;
   const auto holds = [&](const Patch& patch) { return patch.domain.contains(u, v); };
   const auto found = std::ranges::find_if(patches(), holds);
   return found == patches().end() ? patchCount() - 1 : static_cast<std::uint32_t>(found - patches().begin());

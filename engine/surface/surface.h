@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A surface: a formula S(u,v), or the triangles of a mesh, behind one value. What both have is asked of both:
-// name, identity, whether it is closed or flat, bounds, framing, the range of its (u, v).
+// name, identity, whether it is closed or flat, bounds, framing, the range of its (u, v). Where they differ
+// two questions tell how a point is named and what is drawn: isParametric() and isPolygonal(). Only what
+// reads the triangles or patches themselves knows of kinds: evaluation, meshes, searches, rays, shadows,
+// exports.
 //
 // Of a formula everything is derived. In comes an expression graph, out goes position, exact derivatives,
 // normals with limits at poles, seams, orientation, closedness and proven bounds.
@@ -107,8 +110,14 @@ class Surface {
   [[nodiscard]] const void* identity() const { return description_.get(); }
 
   [[nodiscard]] const std::string& name() const;
-  /// Null where it has a formula; else (surface/surface_triangles.h) it has no patches, and no point at (u,
-  /// v).
+  /// Whether its points are S(u, v): it has patches, and at (u, v) a position, derivatives and a normal. Else
+  /// (u, v) are texture coordinates that came with it, and a point is told by its place.
+  [[nodiscard]] bool isParametric() const { return valid() && !patches().empty(); }
+  /// Whether flat triangles are all there is to it: they are drawn as they are, whatever the tolerance and
+  /// the shading, with their vertices' tangents, and vertex programs move them. Else a mesh is only near to
+  /// it, and exact shading searches for its points, inside a shell: so far of what is parametric alone.
+  [[nodiscard]] bool isPolygonal() const { return triangles() != nullptr; }
+  /// Those of what is polygonal (surface/surface_triangles.h); else null.
   [[nodiscard]] const SurfaceTriangles* triangles() const;
   [[nodiscard]] const std::vector<Patch>& patches() const;
   [[nodiscard]] std::uint32_t patchCount() const { return static_cast<std::uint32_t>(patches().size()); }

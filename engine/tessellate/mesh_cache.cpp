@@ -23,7 +23,7 @@ double toleranceLevel(double tolerance) {
 std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<const double> parameters,
                                            const MeshDesc& desc) {
   Key key{.shape = {surface, parameters}};
-  if (surface.triangles()) {
+  if (surface.isPolygonal()) {
     // All levels are one.
   } else if (desc.uniform) {
     key.uniform = *desc.uniform;
@@ -35,7 +35,7 @@ std::shared_ptr<const Mesh> MeshCache::get(const Surface& surface, std::span<con
   const auto mapOfSurface = [&]() -> const CurvatureMap& {
     return maps_.get(surface, parameters, [&] { return CurvatureMap(surface, parameters); });
   };
-  const bool plain = desc.uniform || surface.triangles();
+  const bool plain = desc.uniform || surface.isPolygonal();
   Mesh mesh = plain ? tessellate(surface, parameters, desc)
                     : tessellate(surface, parameters, mapOfSurface(),
                                  {.tolerance = key.tolerance, .longestEdge = key.longestEdge});

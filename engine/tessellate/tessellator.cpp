@@ -53,14 +53,14 @@ Mesh tessellate(const Surface& surface, std::span<const double> parameters, cons
 
 Mesh tessellate(const Surface& surface, std::span<const double> parameters, const CurvatureMap& map,
                 const MeshDesc& desc) {
-  LUXO_REQUIRE(!surface.triangles());
+  LUXO_REQUIRE(surface.isParametric());
   LUXO_REQUIRE_COMPARE(desc.tolerance, >, 0.0);
   LUXO_REQUIRE_COMPARE(desc.longestEdge, >, 0.0);
   return meshOfBlocks(surface, parameters, planBlocks(surface, parameters, map, desc));
 }
 
 double deviationBound(const Surface& surface, std::span<const double> parameters, Segments segments) {
-  if (surface.triangles()) return 0;
+  if (surface.isPolygonal()) return 0;
   double bound = 0;
   for (const Block& block : uniformBlocks(surface, parameters, segments))
     bound = std::max(bound, block.bound);

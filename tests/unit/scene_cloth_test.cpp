@@ -90,7 +90,8 @@ TEST(SceneCloth, LiesFlatAtRest) {
   const Snapshot snapshot = takeSnapshot(scene, 0, {64, 64});
   ASSERT_EQ(snapshot.nodes.size(), 1U);
   const Surface& surface = snapshot.nodes[0].surface;
-  ASSERT_TRUE(surface.triangles());
+  ASSERT_TRUE(surface.isPolygonal());
+  EXPECT_FALSE(surface.isParametric());
   EXPECT_EQ(surface.triangles()->count, 12U);
   EXPECT_EQ(surface.flatNormal(), Vec3(0, 1, 0));
   EXPECT_EQ(surface.domain().u.hi, 1);

@@ -212,6 +212,8 @@ TEST(SurfaceOfTriangles, KnowsItsBoundsRangeAndShape) {
   const Surface quad = test::quadMesh(), cube = test::cubeMesh();
   EXPECT_EQ(quad.name(), "quad");
   EXPECT_EQ(quad.patchCount(), 0U);
+  EXPECT_TRUE(quad.isPolygonal());
+  EXPECT_FALSE(quad.isParametric());
   EXPECT_TRUE(quad.topology().orientable);
   EXPECT_EQ(quad.bounds({}), (Box{{-1, -1, 0}, {1, 1, 0}}));
   EXPECT_EQ(quad.domain(), (Domain{{0, 1}, {0, 1}}));

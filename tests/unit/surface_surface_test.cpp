@@ -403,6 +403,12 @@ TEST(Surface, StatesWhatItIs) {
   EXPECT_TRUE(torus(1, 0.5).revolution());
   EXPECT_FALSE(rectangle(1, 2).revolution());
   EXPECT_FALSE(flag().revolution());
+  for (const Surface& formula : {rectangle(1, 2), sphere(1), flag()}) {
+    EXPECT_TRUE(formula.isParametric()) << formula.name();
+    EXPECT_FALSE(formula.isPolygonal()) << formula.name();
+  }
+  EXPECT_FALSE(Surface().isParametric());
+  EXPECT_FALSE(Surface().isPolygonal());
 }
 
 TEST(Surface, ParametersKeepTheirOrder) {
