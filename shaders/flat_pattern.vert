@@ -4,8 +4,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/scene_data.h"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeParameters) in vec2 inParameters;
 layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
 
 layout(location = 0) out float outHeight;

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/scene_data.h"
 
-layout(location = 0) in vec3 inPosition;
+layout(location = kAttributePosition) in vec3 inPosition;
 layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
 
 layout(location = 0) out float outHeight;

@@ -8,9 +8,9 @@
 
 layout(constant_id = kConstantFirstLight) const uint kFirstLight = 0;
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
 layout(location = 0) sample out vec4 outReceived[kVertexLights];
 layout(location = 8) flat out uvec3 outNumbers;

@@ -6,9 +6,9 @@
 #include "lib/lights.glsl"
 #include "lib/instance_vertex.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
 layout(location = 0) sample out vec3 outFront;
 layout(location = 1) sample out vec3 outBack;

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/instance_vertex.glsl"
 
-layout(location = 0) in vec3 inPosition;
+layout(location = kAttributePosition) in vec3 inPosition;
 
 layout(location = 0) flat out vec3 outDiffuse;
 

@@ -2,7 +2,7 @@
 // Vertices for the views of geometry: position, normal, surface parameters, number of the node.
 #include "lib/placed_vertex.glsl"
 
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
 layout(location = 0) sample out vec3 outPosition;
 layout(location = 1) sample out vec3 outNormal;

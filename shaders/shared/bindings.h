@@ -115,8 +115,39 @@ LUXO_CONSTANT kConstantSpots = 25;          // the lights, a bit each, that are 
 LUXO_CONSTANT kCarriedLights = 2;
 LUXO_CONSTANT kCarriedShades = 1;
 
-// Of what vertices of meshes are given: the first of nine that are of the instance.
-LUXO_CONSTANT kLocationInstance = 7;
+// Attributes: what vertices are given. Of meshes, and of points that rays have found.
+LUXO_CONSTANT kAttributePosition = 0;
+LUXO_CONSTANT kAttributeNormal = 1;
+LUXO_CONSTANT kAttributeParameters = 2;
+
+// Of meshes alone; from the second on of their instance, whose matrices take three each, by columns.
+LUXO_CONSTANT kAttributeTangent = 5;
+LUXO_CONSTANT kAttributeRelativeFromObject = 7;
+LUXO_CONSTANT kAttributeTranslation = kAttributeRelativeFromObject + 3;
+LUXO_CONSTANT kAttributeNormalFromObject = kAttributeTranslation + 1;
+LUXO_CONSTANT kAttributeInstanceNumbers = kAttributeNormalFromObject + 3;
+LUXO_CONSTANT kAttributeDomain = kAttributeInstanceNumbers + 1;
+
+// Of points that rays have found alone.
+LUXO_CONSTANT kAttributePointPlace = 3;
+LUXO_CONSTANT kAttributePointFootprint = 4;
+LUXO_CONSTANT kAttributePointFrame = 5;
+LUXO_CONSTANT kAttributePointFlags = 6;
+
+// Of shells.
+LUXO_CONSTANT kAttributeShellPosition = 0;
+LUXO_CONSTANT kAttributeShellParameters = 1;
+LUXO_CONSTANT kAttributeShellCell = 2;
+LUXO_CONSTANT kAttributeShellPatch = 3;
+
+// Of what rays have found of the shadows in a pixel.
+LUXO_CONSTANT kAttributeShadowPlace = 0;
+LUXO_CONSTANT kAttributeShadows = 1;
+LUXO_CONSTANT kAttributeTransmittance = 2;
+
+// Of pixels whose layers rays have found.
+LUXO_CONSTANT kAttributeLayerPlace = 0;
+LUXO_CONSTANT kAttributeLayerRange = 1;
 
 // Where vertices of surfaces carry them, and what follows: u, v and the like.
 LUXO_CONSTANT kLocationLights = 8;
@@ -135,6 +166,16 @@ LUXO_CONSTANT kLightNumbers = 6;
 LUXO_CONSTANT kShadeNumbers = 5;
 
 #ifdef __cplusplus
+// Attributes of one kind of vertex have places of their own, among the 16 that every device has. Shaders that declare two at
+// one place do not compile; lists of attributes do.
+static_assert(kAttributePosition < kAttributeNormal && kAttributeNormal < kAttributeParameters);
+static_assert(kAttributeParameters < kAttributeTangent && kAttributeTangent < kAttributeRelativeFromObject && kAttributeDomain < 16);
+static_assert(kAttributeParameters < kAttributePointPlace && kAttributePointPlace < kAttributePointFootprint &&
+              kAttributePointFootprint < kAttributePointFrame && kAttributePointFrame < kAttributePointFlags);
+static_assert(kAttributeShellPosition < kAttributeShellParameters && kAttributeShellParameters < kAttributeShellCell &&
+              kAttributeShellCell < kAttributeShellPatch);
+static_assert(kAttributeShadowPlace < kAttributeShadows && kAttributeShadows < kAttributeTransmittance);
+static_assert(kAttributeLayerPlace < kAttributeLayerRange);
 }  // namespace luxo::shared
 #endif
 #endif
