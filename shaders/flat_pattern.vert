@@ -8,8 +8,8 @@ layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeParameters) in vec2 inParameters;
 layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
 
-layout(location = 0) out float outHeight;
-layout(location = 1) out vec2 outParameters;
+layout(location = kLocationFlatHeight) out float outHeight;
+layout(location = kLocationFlatParameters) out vec2 outParameters;
 
 void main() {
   outHeight = dot(draw.height, vec4(inPosition, 1));

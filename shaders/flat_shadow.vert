@@ -7,7 +7,7 @@
 layout(location = kAttributePosition) in vec3 inPosition;
 layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
 
-layout(location = 0) out float outHeight;
+layout(location = kLocationFlatHeight) out float outHeight;
 
 void main() {
   outHeight = dot(draw.height, vec4(inPosition, 1));

@@ -9,8 +9,8 @@
 layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeNormal) in vec3 inNormal;
 
-layout(location = 0) sample out vec4 outFront;
-layout(location = 1) sample out vec4 outBack;
+layout(location = kLocationFront) sample out vec4 outFront;
+layout(location = kLocationBack) sample out vec4 outBack;
 
 invariant gl_Position;
 

@@ -8,8 +8,8 @@ layout(location = kAttributeLayerPlace) in vec2 inPlace;  // of the sample in th
 // Of the points: the first, how many, and how many of meshes follow them; and groups of lights.
 layout(location = kAttributeLayerRange) in uvec4 inRange;
 
-layout(location = 0) flat out uvec4 outRange;
-layout(location = 1) flat out uint outGroup;  // whose shadows they tell
+layout(location = kLocationLayerRange) flat out uvec4 outRange;
+layout(location = kLocationLayerGroup) flat out uint outGroup;  // whose shadows they tell
 
 void main() {
   outRange = inRange;

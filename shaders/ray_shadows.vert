@@ -7,7 +7,7 @@
 layout(location = kAttributeShadowPlace) in vec2 inPlace;
 layout(location = kAttributeShadows) in uint inShadows;
 
-layout(location = 0) flat out uint outShadows;
+layout(location = kLocationShadows) flat out uint outShadows;
 
 void main() {
   outShadows = inShadows;

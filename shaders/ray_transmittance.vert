@@ -7,7 +7,7 @@
 layout(location = kAttributeShadowPlace) in vec2 inPlace;
 layout(location = kAttributeTransmittance) in vec3 inTransmittance;
 
-layout(location = 0) flat out vec3 outTransmittance;
+layout(location = kLocationTransmittance) flat out vec3 outTransmittance;
 
 void main() {
   outTransmittance = inTransmittance;

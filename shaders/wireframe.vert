@@ -6,7 +6,7 @@
 
 layout(location = kAttributePosition) in vec3 inPosition;
 
-layout(location = 0) flat out vec3 outDiffuse;
+layout(location = kLocationLineDiffuse) flat out vec3 outDiffuse;
 
 invariant gl_Position;
 
