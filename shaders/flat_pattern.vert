@@ -4,12 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/scene_data.h"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeParameters) in vec2 inParameters;
 layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
 
-layout(location = 0) out float outHeight;
-layout(location = 1) out vec2 outParameters;
+layout(location = kLocationFlatHeight) out float outHeight;
+layout(location = kLocationFlatParameters) out vec2 outParameters;
 
 void main() {
   outHeight = dot(draw.height, vec4(inPosition, 1));

@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/scene_data.h"
 
-layout(location = 0) in vec3 inPosition;
+layout(location = kAttributePosition) in vec3 inPosition;
 layout(scalar, push_constant) uniform Draw { FlatShadow draw; };
 
-layout(location = 0) out float outHeight;
+layout(location = kLocationFlatHeight) out float outHeight;
 
 void main() {
   outHeight = dot(draw.height, vec4(inPosition, 1));

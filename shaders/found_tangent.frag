@@ -9,7 +9,7 @@
 #include "lib/textured_surface.glsl"
 #include "lib/lit_plain.glsl"
 
-layout(location = 15) flat in vec4 inParameterBounds;
+layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
 
 vec4 patternBounds() { return inParameterBounds; }
 

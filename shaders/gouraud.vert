@@ -6,11 +6,11 @@
 #include "lib/lights.glsl"
 #include "lib/instance_vertex.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
 
-layout(location = 0) sample out vec4 outFront;
-layout(location = 1) sample out vec4 outBack;
+layout(location = kLocationFront) sample out vec4 outFront;
+layout(location = kLocationBack) sample out vec4 outBack;
 
 invariant gl_Position;
 

@@ -7,6 +7,6 @@ layout(location = 0) out vec4 outColor;
 #include "lib/gouraud_again.glsl"
 #include "lib/again_found.glsl"
 
-layout(location = 15) flat in vec4 inParameterBounds;
+layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
 
 void main() { lightBetweenVertices(vec4(inDiffuse, inOpacity), inParameterBounds); }

@@ -8,18 +8,18 @@
 
 layout(constant_id = kConstantFirstLight) const uint kFirstLight = 0;
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
-layout(location = 0) sample out vec4 outReceived[kVertexLights];
-layout(location = 8) flat out uvec3 outNumbers;
-layout(location = 9) flat out vec3 outAmbient;
-layout(location = 10) flat out vec3 outDiffuse;
-layout(location = 11) flat out vec3 outSpecular;
-layout(location = 12) flat out float outOpacity;
-layout(location = 14) sample out vec2 outParameters;
-layout(location = 15) flat out vec4 outParameterBounds;
+layout(location = kLocationAgainReceived) sample out vec4 outReceived[kVertexLights];
+layout(location = kLocationAgainNumbers) flat out uvec3 outNumbers;
+layout(location = kLocationAgainAmbient) flat out vec3 outAmbient;
+layout(location = kLocationAgainDiffuse) flat out vec3 outDiffuse;
+layout(location = kLocationAgainSpecular) flat out vec3 outSpecular;
+layout(location = kLocationAgainOpacity) flat out float outOpacity;
+layout(location = kLocationDetail) sample out vec2 outParameters;
+layout(location = kLocationParameterBounds) flat out vec4 outParameterBounds;
 
 invariant gl_Position;
 

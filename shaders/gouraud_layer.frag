@@ -5,6 +5,6 @@
 #include "lib/gouraud_again.glsl"
 #include "lib/again_layer.glsl"
 
-layout(location = 15) flat in vec4 inParameterBounds;
+layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
 
 void main() { lightBetweenVertices(vec4(inDiffuse, inOpacity), inParameterBounds); }

@@ -6,17 +6,17 @@
 #include "lib/lights.glsl"
 #include "lib/instance_vertex.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
-layout(location = 0) sample out vec3 outFront;
-layout(location = 1) sample out vec3 outBack;
-layout(location = 2) sample out vec4 outFrontRest;
-layout(location = 3) sample out vec4 outBackRest;
-layout(location = 14) sample out vec2 outParameters;
-layout(location = 6) flat out uvec3 outNumbers;  // of the material; where the pattern's parameters start
-layout(location = 15) flat out vec4 outParameterBounds;
+layout(location = kLocationFront) sample out vec3 outFront;
+layout(location = kLocationBack) sample out vec3 outBack;
+layout(location = kLocationFrontRest) sample out vec4 outFrontRest;
+layout(location = kLocationBackRest) sample out vec4 outBackRest;
+layout(location = kLocationDetail) sample out vec2 outParameters;
+layout(location = kLocationNumbers) flat out uvec3 outNumbers;  // of the material; where the pattern's parameters start
+layout(location = kLocationParameterBounds) flat out vec4 outParameterBounds;
 
 invariant gl_Position;
 

@@ -10,12 +10,12 @@ layout(constant_id = kConstantQuantity) const uint kQuantity = kPosition;
 layout(constant_id = kConstantAsColor) const bool kAsColor = false;
 layout(constant_id = kConstantCertificate) const uint kCertificateOfAll = kUncertified;  // but of undecided points
 
-layout(location = 0) sample in vec3 inPosition;
-layout(location = 1) sample in vec3 inNormal;
-layout(location = 2) sample in vec2 inParameters;
-layout(location = 3) flat in vec4 inDomain;
-layout(location = 4) flat in uvec2 inFlagsId;
-layout(location = 5) sample in float inDepth;
+layout(location = kLocationPosition) sample in vec3 inPosition;
+layout(location = kLocationNormal) sample in vec3 inNormal;
+layout(location = kLocationInspectedParameters) sample in vec2 inParameters;
+layout(location = kLocationInspectedDomain) flat in vec4 inDomain;
+layout(location = kLocationInspectedFlagsId) flat in uvec2 inFlagsId;
+layout(location = kLocationInspectedDepth) sample in float inDepth;
 
 layout(location = 0) out vec4 outValue;
 

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/scene_data.h"
 
-layout(location = 0) in vec3 inPosition;
+layout(location = kAttributePosition) in vec3 inPosition;
 layout(scalar, push_constant) uniform Draw { mat4 clipFromObject; };
 
 void main() { gl_Position = clipFromObject * vec4(inPosition, 1); }

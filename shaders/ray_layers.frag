@@ -13,8 +13,8 @@ layout(scalar, set = kSetLayers, binding = kBindingRayLayerDetails) readonly buf
   LayerDetail rayLayerDetails[];
 };
 
-layout(location = 0) flat in uvec4 inRange;
-layout(location = 1) flat in uint inGroup;
+layout(location = kLocationLayerRange) flat in uvec4 inRange;
+layout(location = kLocationLayerGroup) flat in uint inGroup;
 
 ReachingLight lightOf(uint rayLayer) { return reachingLights[rayLayer * (inRange.w & ~kUndecidedLayers) + inGroup]; }
 

@@ -4,12 +4,12 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/around_place.glsl"
 
-layout(location = 0) in vec2 inPlace;   // of the sample in the target, pixels
+layout(location = kAttributeLayerPlace) in vec2 inPlace;  // of the sample in the target, pixels
 // Of the points: the first, how many, and how many of meshes follow them; and groups of lights.
-layout(location = 1) in uvec4 inRange;
+layout(location = kAttributeLayerRange) in uvec4 inRange;
 
-layout(location = 0) flat out uvec4 outRange;
-layout(location = 1) flat out uint outGroup;  // whose shadows they tell
+layout(location = kLocationLayerRange) flat out uvec4 outRange;
+layout(location = kLocationLayerGroup) flat out uint outGroup;  // whose shadows they tell
 
 void main() {
   outRange = inRange;

@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/around_place.glsl"
 
-layout(location = 0) in vec2 inPlace;
-layout(location = 1) in uint inShadows;
+layout(location = kAttributeShadowPlace) in vec2 inPlace;
+layout(location = kAttributeShadows) in uint inShadows;
 
-layout(location = 0) flat out uint outShadows;
+layout(location = kLocationShadows) flat out uint outShadows;
 
 void main() {
   outShadows = inShadows;

@@ -4,10 +4,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/around_place.glsl"
 
-layout(location = 0) in vec2 inPlace;
-layout(location = 2) in vec3 inTransmittance;
+layout(location = kAttributeShadowPlace) in vec2 inPlace;
+layout(location = kAttributeTransmittance) in vec3 inTransmittance;
 
-layout(location = 0) flat out vec3 outTransmittance;
+layout(location = kLocationTransmittance) flat out vec3 outTransmittance;
 
 void main() {
   outTransmittance = inTransmittance;

@@ -9,7 +9,7 @@
 #include "lib/lit_plain.glsl"
 
 layout(location = kLocationDetail) sample in vec3 inDetail;
-layout(location = 15) flat in vec4 inParameterBounds;
+layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
 
 vec2 foundParameters() { return clamp(inDetail.xy, inParameterBounds.xy, inParameterBounds.zw); }
 vec4 patternBounds() { return inParameterBounds; }

@@ -6,6 +6,6 @@
 #include "lib/toon.glsl"
 #include "lib/again_found.glsl"
 
-layout(location = 15) flat in vec4 inParameterBounds;
+layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
 
 void main() { drawAgain(vec4(foundMaterial().diffuse, foundOpacity()), inParameterBounds); }

@@ -4,9 +4,9 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/instance_vertex.glsl"
 
-layout(location = 0) in vec3 inPosition;
+layout(location = kAttributePosition) in vec3 inPosition;
 
-layout(location = 0) flat out vec3 outDiffuse;
+layout(location = kLocationLineDiffuse) flat out vec3 outDiffuse;
 
 invariant gl_Position;
 

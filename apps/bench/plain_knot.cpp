@@ -6,6 +6,7 @@
 
 #include "luxo/shaders/plain_knot_frag.h"
 #include "luxo/shaders/plain_knot_vert.h"
+#include "shared/bindings.h"
 
 namespace luxo::bench {
 namespace {
@@ -35,15 +36,15 @@ PlainKnot::PlainKnot(gpu::Context& context, PixelSize size, const TriangleMesh& 
   vertices_ = filled<Vec3f>(context, vertices, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, "vertices of a plain mesh");
   indices_ = filled(context, mesh.indices(), VK_BUFFER_USAGE_INDEX_BUFFER_BIT, "indices of a plain mesh");
   const VkExtent2D extent{std::uint32_t(size.width), std::uint32_t(size.height)};
-  constexpr VkFormat kColor = VK_FORMAT_R32G32B32A32_SFLOAT;
+  constexpr VkFormat kColor = VK_FORMAT_R32G32B32A32_SFLOAT, kFloat3 = VK_FORMAT_R32G32B32_SFLOAT;
   targets_ = PlainTargets(context, extent, kColor, "plain mesh");
   pipeline_ =
       gpu::GraphicsPipeline(context, {.name = "plain mesh",
                                       .vertexShader = luxo_plain_knot_vert,
                                       .fragmentShader = luxo_plain_knot_frag,
                                       .bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX}},
-                                      .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0},
-                                                     {1, 0, VK_FORMAT_R32G32B32_SFLOAT, sizeof(Vec3f)}},
+                                      .attributes = {{shared::kAttributePosition, 0, kFloat3, 0},
+                                                     {shared::kAttributeNormal, 0, kFloat3, sizeof(Vec3f)}},
                                       .colors = {{kColor}},
                                       .depthFormat = PlainTargets::kDepth});
 }

@@ -2,9 +2,10 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "knot_data.glsl"
+#include "shared/bindings.h"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
 layout(location = 0) out vec3 outPosition;
 layout(location = 1) out vec3 outNormal;
 

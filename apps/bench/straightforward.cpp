@@ -6,6 +6,7 @@
 
 #include "luxo/shaders/straightforward_frag.h"
 #include "luxo/shaders/straightforward_vert.h"
+#include "shared/bindings.h"
 
 namespace luxo::bench {
 namespace {
@@ -67,14 +68,15 @@ Straightforward::Straightforward(gpu::Context& context, PixelSize size, VkFormat
 
   const VkExtent2D extent{static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
   targets_ = PlainTargets(context, extent, colorFormat, "straightforward");
+  constexpr VkFormat kFloat2 = VK_FORMAT_R32G32_SFLOAT, kFloat3 = VK_FORMAT_R32G32B32_SFLOAT;
   pipeline_ = gpu::GraphicsPipeline(
       context, {.name = "straightforward",
                 .vertexShader = luxo_straightforward_vert,
                 .fragmentShader = luxo_straightforward_frag,
                 .bindings = {{0, sizeof(VertexData), VK_VERTEX_INPUT_RATE_VERTEX}},
-                .attributes = {{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexData, pos)},
-                               {1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(VertexData, norm)},
-                               {2, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(VertexData, tex)}},
+                .attributes = {{shared::kAttributePosition, 0, kFloat3, offsetof(VertexData, pos)},
+                               {shared::kAttributeNormal, 0, kFloat3, offsetof(VertexData, norm)},
+                               {shared::kAttributeParameters, 0, kFloat2, offsetof(VertexData, tex)}},
                 .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
                 .colors = {{colorFormat}},
                 .depthFormat = PlainTargets::kDepth,

@@ -3,10 +3,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "object_data.glsl"
+#include "shared/bindings.h"
 
-layout(location = 0) in vec3 vtxPos;
-layout(location = 1) in vec3 vtxNorm;
-layout(location = 2) in vec2 vtxTex;
+layout(location = kAttributePosition) in vec3 vtxPos;
+layout(location = kAttributeNormal) in vec3 vtxNorm;
+layout(location = kAttributeParameters) in vec2 vtxTex;
 
 layout(location = 0) out vec3 wNormal;
 layout(location = 1) out vec3 wView;

@@ -11,12 +11,16 @@
 #include "gpu/frame.h"
 #include "gpu/shader_compiler.h"
 #include "gpu/texture.h"
+#include "luxo/shaders/sources.h"
+#include "shared/bindings.h"
 
 namespace luxo {
 namespace {
 
 constexpr std::string_view kVertex = R"(#version 460
-layout(location = 0) in vec3 position;
+#extension GL_GOOGLE_include_directive : require
+#include "shared/bindings.h"
+layout(location = kAttributePosition) in vec3 position;
 layout(push_constant) uniform Push { mat4 clipFromObject; uint first; uint side; };
 invariant gl_Position;
 void main() { gl_Position = clipFromObject * vec4(position, 1.0); }
@@ -53,15 +57,17 @@ gpu::Buffer filled(gpu::Context& context, VkBufferUsageFlags usage, std::span<co
 SampleCounter::SampleCounter(gpu::Context& context, int side)
     : context_(&context), side_(side), layout_(context, {{}}) {
   const gpu::ShaderCompiler compiler((std::filesystem::path()));
-  const auto vertex =
-      compiler.compile({.source = {"count.vert", kVertex}, .stage = gpu::ShaderStage::Vertex});
+  const auto vertex = compiler.compile(
+      {.source = {"count.vert", kVertex}, .stage = gpu::ShaderStage::Vertex, .includes = kShaderSources});
   const auto fragment = compiler.compile({.source = {"count.frag", kFragment}});
   pipeline_ = gpu::GraphicsPipeline(
       context, {.name = "count samples",
                 .vertexShader = vertex.spirv,
                 .fragmentShader = fragment.spirv,
                 .bindings = {{.binding = 0, .stride = sizeof(Vec3f)}},
-                .attributes = {{.location = 0, .binding = 0, .format = VK_FORMAT_R32G32B32_SFLOAT}},
+                .attributes = {{.location = shared::kAttributePosition,
+                                .binding = 0,
+                                .format = VK_FORMAT_R32G32B32_SFLOAT}},
                 // Where a triangle replaces all of a 64-pixel tile, lavapipe drops those binned before, and
                 // their counts with them; where it blends it does not.
                 .colors = {{kFormat, gpu::Blend::Color}},

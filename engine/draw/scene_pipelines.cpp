@@ -94,19 +94,18 @@ void addInstance(gpu::GraphicsPipelineDesc& desc) {
   using shared::InstanceData;
   constexpr std::uint32_t kBinding = 3;
   desc.bindings.push_back({kBinding, sizeof(InstanceData), VK_VERTEX_INPUT_RATE_INSTANCE});
-  const auto add = [&](std::uint32_t place, VkFormat format, std::size_t offset) {
-    desc.attributes.push_back(
-        {shared::kLocationInstance + place, kBinding, format, static_cast<std::uint32_t>(offset)});
+  const auto add = [&](std::uint32_t location, VkFormat format, std::size_t offset) {
+    desc.attributes.push_back({location, kBinding, format, static_cast<std::uint32_t>(offset)});
   };
   for (std::uint32_t column = 0; column < 3; ++column) {
-    add(column, VK_FORMAT_R32G32B32A32_SFLOAT,
+    add(shared::kAttributeRelativeFromObject + column, VK_FORMAT_R32G32B32A32_SFLOAT,
         offsetof(InstanceData, relativeFromObject) + column * sizeof(Vec4f));
-    add(4 + column, VK_FORMAT_R32G32B32_SFLOAT,
+    add(shared::kAttributeNormalFromObject + column, VK_FORMAT_R32G32B32_SFLOAT,
         offsetof(InstanceData, normalFromObject) + column * sizeof(Vec3f));
   }
-  add(3, VK_FORMAT_R32G32B32_SFLOAT, offsetof(InstanceData, translation));
-  add(7, VK_FORMAT_R32G32B32_UINT, offsetof(InstanceData, flags));
-  add(8, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(InstanceData, domain));
+  add(shared::kAttributeTranslation, VK_FORMAT_R32G32B32_SFLOAT, offsetof(InstanceData, translation));
+  add(shared::kAttributeInstanceNumbers, VK_FORMAT_R32G32B32_UINT, offsetof(InstanceData, flags));
+  add(shared::kAttributeDomain, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(InstanceData, domain));
 }
 
 /// What vertices there are: of a mesh, a shell, or what rays have found.
@@ -119,32 +118,38 @@ void setVertices(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   };
   constexpr std::size_t kLight = offsetof(RayShadow, light);
   if (state.form == Form::ShadowsByRays || state.form == Form::TransmittanceByRays)
-    interleaved(sizeof(RayShadow),
-                {{0, 0, kFloat2, offsetof(RayShadow, place)},
-                 {1, 0, VK_FORMAT_R32_UINT, kLight + offsetof(shared::ReachingLight, shadows)},
-                 {2, 0, kFloat3, kLight + offsetof(shared::ReachingLight, transmittance)}});
+    interleaved(sizeof(RayShadow), {{shared::kAttributeShadowPlace, 0, kFloat2, offsetof(RayShadow, place)},
+                                    {shared::kAttributeShadows, 0, VK_FORMAT_R32_UINT,
+                                     kLight + offsetof(shared::ReachingLight, shadows)},
+                                    {shared::kAttributeTransmittance, 0, kFloat3,
+                                     kLight + offsetof(shared::ReachingLight, transmittance)}});
   else if (state.form == Form::LayersByRays)
-    interleaved(sizeof(RayLayers), {{0, 0, kFloat2, offsetof(RayLayers, place)},
-                                    {1, 0, VK_FORMAT_R32G32B32A32_UINT, offsetof(RayLayers, first)}});
+    interleaved(sizeof(RayLayers),
+                {{shared::kAttributeLayerPlace, 0, kFloat2, offsetof(RayLayers, place)},
+                 {shared::kAttributeLayerRange, 0, VK_FORMAT_R32G32B32A32_UINT, offsetof(RayLayers, first)}});
   else if (state.byRays)
-    interleaved(sizeof(RayPoint), {{0, 0, kFloat3, offsetof(RayPoint, position)},
-                                   {1, 0, kFloat3, offsetof(RayPoint, normal)},
-                                   {2, 0, kFloat2, offsetof(RayPoint, parameters)},
-                                   {3, 0, kFloat4, offsetof(RayPoint, place)},
-                                   {4, 0, kFloat4, offsetof(RayPoint, footprint)},
-                                   {5, 0, kFloat4, offsetof(RayPoint, frame)},
-                                   {6, 0, VK_FORMAT_R32_UINT, offsetof(RayPoint, flags)}});
+    interleaved(sizeof(RayPoint),
+                {{shared::kAttributePosition, 0, kFloat3, offsetof(RayPoint, position)},
+                 {shared::kAttributeNormal, 0, kFloat3, offsetof(RayPoint, normal)},
+                 {shared::kAttributeParameters, 0, kFloat2, offsetof(RayPoint, parameters)},
+                 {shared::kAttributePointPlace, 0, kFloat4, offsetof(RayPoint, place)},
+                 {shared::kAttributePointFootprint, 0, kFloat4, offsetof(RayPoint, footprint)},
+                 {shared::kAttributePointFrame, 0, kFloat4, offsetof(RayPoint, frame)},
+                 {shared::kAttributePointFlags, 0, VK_FORMAT_R32_UINT, offsetof(RayPoint, flags)}});
   else if (state.surface)
-    interleaved(sizeof(ShellVertex), {{0, 0, kFloat3, offsetof(ShellVertex, position)},
-                                      {1, 0, kFloat2, offsetof(ShellVertex, parameters)},
-                                      {2, 0, kFloat3, offsetof(ShellVertex, cell)},
-                                      {3, 0, VK_FORMAT_R32_UINT, offsetof(ShellVertex, patch)}});
+    interleaved(sizeof(ShellVertex),
+                {{shared::kAttributeShellPosition, 0, kFloat3, offsetof(ShellVertex, position)},
+                 {shared::kAttributeShellParameters, 0, kFloat2, offsetof(ShellVertex, parameters)},
+                 {shared::kAttributeShellCell, 0, kFloat3, offsetof(ShellVertex, cell)},
+                 {shared::kAttributeShellPatch, 0, VK_FORMAT_R32_UINT, offsetof(ShellVertex, patch)}});
   else {
     desc.bindings = {{0, 2 * sizeof(Vec3f), VK_VERTEX_INPUT_RATE_VERTEX},
                      {1, sizeof(Vec2f), VK_VERTEX_INPUT_RATE_VERTEX},
                      {2, sizeof(Vec4f), VK_VERTEX_INPUT_RATE_VERTEX}};
-    desc.attributes = {
-        {0, 0, kFloat3, 0}, {1, 0, kFloat3, sizeof(Vec3f)}, {2, 1, kFloat2, 0}, {5, 2, kFloat4, 0}};
+    desc.attributes = {{shared::kAttributePosition, 0, kFloat3, 0},
+                       {shared::kAttributeNormal, 0, kFloat3, sizeof(Vec3f)},
+                       {shared::kAttributeParameters, 1, kFloat2, 0},
+                       {shared::kAttributeTangent, 2, kFloat4, 0}};
     addInstance(desc);
   }
 }

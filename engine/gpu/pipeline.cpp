@@ -7,6 +7,7 @@
 #include "gpu/debug.h"
 #include "gpu/result.h"
 #include "gpu/shader_reflection.h"
+#include "gpu/vertex_input.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -97,7 +98,7 @@ std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipel
 
 /// What the shaders of a pipeline ask for.
 struct Asked {
-  std::vector<std::uint32_t> attributes;
+  std::vector<StageInput> inputs;
   std::uint32_t pushConstantBytes = 0;
 };
 
@@ -175,28 +176,10 @@ class Stages {
   std::vector<VkPipelineShaderStageCreateInfo> infos_;
 };
 
-/// The attributes that a vertex shader reads, and the bindings that they come from.
-struct VertexInput {
-  std::vector<VkVertexInputAttributeDescription> attributes;
-  std::vector<VkVertexInputBindingDescription> bindings;
-
-  VertexInput(const GraphicsPipelineDesc& desc, const Asked& asked)
-      : attributes(desc.attributes.begin(), desc.attributes.end()),
-        bindings(desc.bindings.begin(), desc.bindings.end()) {
-    std::erase_if(attributes, [&](const VkVertexInputAttributeDescription& attribute) {
-      return !std::ranges::binary_search(asked.attributes, attribute.location);
-    });
-    std::erase_if(bindings, [&](const VkVertexInputBindingDescription& binding) {
-      return std::ranges::none_of(
-          attributes, [&](const auto& attribute) { return attribute.binding == binding.binding; });
-    });
-  }
-};
-
 VkPipeline createPipeline(const Context& context, const GraphicsPipelineDesc& desc, const Asked& asked,
                           VkPipelineLayout layout) {
   const Stages stages(context, desc);
-  const VertexInput vertices(desc, asked);
+  const VertexInput vertices(desc, asked.inputs);
   const VkPipelineVertexInputStateCreateInfo input{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
       .vertexBindingDescriptionCount = count(vertices.bindings),

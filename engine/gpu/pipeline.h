@@ -52,7 +52,7 @@ struct GraphicsPipelineDesc {
   std::span<const std::uint32_t> fragmentShader;  ///< SPIR-V; empty = depth only
 
   /// What there is: attributes that the vertex shader does not read are left out, with bindings that have no
-  /// other.
+  /// other; and there must be one for all that it reads, of the same type (gpu/vertex_input.h).
   std::vector<VkVertexInputBindingDescription> bindings;
   std::vector<VkVertexInputAttributeDescription> attributes;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;

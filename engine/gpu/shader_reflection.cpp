@@ -48,6 +48,22 @@ std::string prefixOf(const std::string& scalar) {
   return scalar == "float" ? "" : scalar == "uint" ? "u" : scalar.substr(0, 1);
 }
 
+/// Of a matrix that of its columns.
+std::string vectorName(const SPIRType& type) {
+  const std::string scalar = scalarOf(type);
+  return type.vecsize > 1 ? fmt::format("{}vec{}", prefixOf(scalar), type.vecsize) : scalar;
+}
+
+/// Sizes, the outermost first.
+std::vector<std::uint32_t> arrayOf(const spirv_cross::Compiler& compiler, const SPIRType& type) {
+  std::vector<std::uint32_t> sizes;
+  // The innermost comes first there.
+  for (std::size_t i = type.array.size(); i-- > 0;)
+    sizes.push_back(type.array_size_literal[i] ? type.array[i]
+                                               : compiler.get_constant(type.array[i]).scalar());
+  return sizes;
+}
+
 std::string imageOf(const SPIRType& type) {
   constexpr std::string_view kDimensions[] = {"1D", "2D", "3D", "Cube", "2DRect", "Buffer", "SubpassData"};
   const auto dimension = static_cast<std::size_t>(type.image.dim);
@@ -226,22 +242,15 @@ class Reflection {
     if (type.basetype == SPIRType::Struct) return compiler_.get_name(type.self);
     if (type.basetype == SPIRType::Sampler) return "sampler";
     if (type.basetype == SPIRType::Image || type.basetype == SPIRType::SampledImage) return imageOf(type);
-    const std::string scalar = scalarOf(type);
-    if (type.columns > 1)
-      return type.columns == type.vecsize
-                 ? fmt::format("{}mat{}", prefixOf(scalar), type.columns)
-                 : fmt::format("{}mat{}x{}", prefixOf(scalar), type.columns, type.vecsize);
-    return type.vecsize > 1 ? fmt::format("{}vec{}", prefixOf(scalar), type.vecsize) : scalar;
+    if (type.columns <= 1) return vectorName(type);
+    const std::string prefix = prefixOf(scalarOf(type));
+    return type.columns == type.vecsize ? fmt::format("{}mat{}", prefix, type.columns)
+                                        : fmt::format("{}mat{}x{}", prefix, type.columns, type.vecsize);
   }
 
   /// Name, type and array.
   [[nodiscard]] ShaderVariable described(std::string name, const SPIRType& type) const {
-    ShaderVariable variable{.name = std::move(name), .type = typeName(type)};
-    // The innermost comes first there.
-    for (std::size_t i = type.array.size(); i-- > 0;)
-      variable.array.push_back(type.array_size_literal[i] ? type.array[i]
-                                                          : compiler_.get_constant(type.array[i]).scalar());
-    return variable;
+    return {.name = std::move(name), .type = typeName(type), .array = arrayOf(compiler_, type)};
   }
 
   [[nodiscard]] std::optional<std::uint32_t> decoration(spirv_cross::ID id, spv::Decoration which) const {
@@ -488,11 +497,14 @@ StageInterface stageInterface(std::span<const std::uint32_t> spirv) {
     const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
     StageInterface stage;
     for (const spirv_cross::Resource& input : resources.stage_inputs) {
+      const SPIRType& type = compiler.get_type(input.type_id);
       const std::uint32_t first = compiler.get_decoration(input.id, spv::DecorationLocation);
-      for (std::uint32_t i = 0; i < compiler.get_type(input.type_id).columns; ++i)
-        stage.inputs.push_back(first + i);
+      std::uint32_t locations = type.columns;
+      for (const std::uint32_t size : arrayOf(compiler, type)) locations *= size;
+      for (std::uint32_t i = 0; i < locations; ++i)
+        stage.inputs.push_back({first + i, vectorName(type), compiler.get_name(input.id)});
     }
-    std::ranges::sort(stage.inputs);
+    std::ranges::sort(stage.inputs, {}, &StageInput::location);
     for (const spirv_cross::Resource& block : resources.push_constant_buffers)
       stage.pushConstantBytes = static_cast<std::uint32_t>(
           compiler.get_declared_struct_size(compiler.get_type(block.base_type_id)));

@@ -65,9 +65,16 @@ struct ShaderInterface {
 /// `type`, "uint" or "uvec3", is one: "bool", "bvec3".
 [[nodiscard]] std::string boolOf(const std::string& type);
 
+/// What a shader is given at one location: a scalar, a vector, a column of a matrix.
+struct StageInput {
+  std::uint32_t location = 0;
+  std::string type;  ///< as GLSL writes it: "vec3"
+  std::string name;  ///< of all of the variable; optimised words have none
+};
+
 /// Of that only what a pipeline is made from.
 struct StageInterface {
-  std::vector<std::uint32_t> inputs;  ///< locations, ascending; a matrix has one for each column
+  std::vector<StageInput> inputs;  ///< by location
   std::uint32_t pushConstantBytes = 0;
 };
 

@@ -5,7 +5,7 @@
 #include "lib/cutoff.glsl"
 #include "lib/pattern.glsl"
 
-layout(location = 1) in vec2 inParameters;
+layout(location = kLocationFlatParameters) in vec2 inParameters;
 
 uint firstPatternParameter() { return caster.firstPatternParameter; }
 vec4 patternBounds() { return vec4(vec2(-3e38), vec2(3e38)); }

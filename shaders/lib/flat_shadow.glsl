@@ -12,7 +12,7 @@ layout(scalar, push_constant) uniform Draw {
   FlatPattern caster;
 };
 
-layout(location = 0) in float inHeight;
+layout(location = kLocationFlatHeight) in float inHeight;
 
 bool isInFlatShadow() {
   vec4 texel = texelFetch(foundTexels, ivec2(gl_FragCoord.xy), 0);

@@ -10,13 +10,13 @@
 layout(constant_id = kConstantFirstLight) const uint kFirstLight = 0;
 layout(constant_id = kConstantExactShadows) const uint kExactShadows = 0;
 
-layout(location = 0) sample in vec4 inReceived[kVertexLights];  // diffuse, highlight of the front; of the back
-layout(location = 8) flat in uvec3 inNumbers;  // flags; the material's number; where its pattern's parameters start
-layout(location = 9) flat in vec3 inAmbient;
-layout(location = 10) flat in vec3 inDiffuse;
-layout(location = 11) flat in vec3 inSpecular;
-layout(location = 12) flat in float inOpacity;
-layout(location = 14) sample in vec2 inParameters;
+layout(location = kLocationAgainReceived) sample in vec4 inReceived[kVertexLights];  // diffuse, highlight of the front; of the back
+layout(location = kLocationAgainNumbers) flat in uvec3 inNumbers;  // flags; the material's number; where its pattern's parameters start
+layout(location = kLocationAgainAmbient) flat in vec3 inAmbient;
+layout(location = kLocationAgainDiffuse) flat in vec3 inDiffuse;
+layout(location = kLocationAgainSpecular) flat in vec3 inSpecular;
+layout(location = kLocationAgainOpacity) flat in float inOpacity;
+layout(location = kLocationDetail) sample in vec2 inParameters;
 
 LightData lightAt(uint i) { return lightSet.lights[i]; }
 ShadeData shadeAt(uint i) { return lightSet.shades[i]; }

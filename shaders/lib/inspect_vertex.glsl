@@ -2,14 +2,14 @@
 // Vertices for the views of geometry: position, normal, surface parameters, number of the node.
 #include "lib/placed_vertex.glsl"
 
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
-layout(location = 0) sample out vec3 outPosition;
-layout(location = 1) sample out vec3 outNormal;
-layout(location = 2) sample out vec2 outParameters;
-layout(location = 3) flat out vec4 outDomain;
-layout(location = 4) flat out uvec2 outFlagsId;
-layout(location = 5) sample out float outDepth;
+layout(location = kLocationPosition) sample out vec3 outPosition;
+layout(location = kLocationNormal) sample out vec3 outNormal;
+layout(location = kLocationInspectedParameters) sample out vec2 outParameters;
+layout(location = kLocationInspectedDomain) flat out vec4 outDomain;
+layout(location = kLocationInspectedFlagsId) flat out uvec2 outFlagsId;
+layout(location = kLocationInspectedDepth) sample out float outDepth;
 
 invariant gl_Position;
 

@@ -6,15 +6,15 @@
 #ifdef LUXO_RAY_POINT
 InstanceData instanceOfVertex() { return instances[gl_InstanceIndex]; }
 #else
-layout(location = kLocationInstance) in vec4 inRelativeFromObject0;
-layout(location = kLocationInstance + 1) in vec4 inRelativeFromObject1;
-layout(location = kLocationInstance + 2) in vec4 inRelativeFromObject2;
-layout(location = kLocationInstance + 3) in vec3 inTranslation;
-layout(location = kLocationInstance + 4) in vec3 inNormalFromObject0;
-layout(location = kLocationInstance + 5) in vec3 inNormalFromObject1;
-layout(location = kLocationInstance + 6) in vec3 inNormalFromObject2;
-layout(location = kLocationInstance + 7) in uvec3 inInstanceNumbers;  // flags, material, id
-layout(location = kLocationInstance + 8) in vec4 inDomain;
+layout(location = kAttributeRelativeFromObject) in vec4 inRelativeFromObject0;
+layout(location = kAttributeRelativeFromObject + 1) in vec4 inRelativeFromObject1;
+layout(location = kAttributeRelativeFromObject + 2) in vec4 inRelativeFromObject2;
+layout(location = kAttributeTranslation) in vec3 inTranslation;
+layout(location = kAttributeNormalFromObject) in vec3 inNormalFromObject0;
+layout(location = kAttributeNormalFromObject + 1) in vec3 inNormalFromObject1;
+layout(location = kAttributeNormalFromObject + 2) in vec3 inNormalFromObject2;
+layout(location = kAttributeInstanceNumbers) in uvec3 inInstanceNumbers;  // flags, material, id
+layout(location = kAttributeDomain) in vec4 inDomain;
 
 InstanceData instanceOfVertex() {
   return InstanceData(vec4[](inRelativeFromObject0, inRelativeFromObject1, inRelativeFromObject2), inTranslation,

@@ -4,7 +4,7 @@
 // how (u, v) lie on the triangle.
 #include "lib/rest_frame.glsl"
 #if defined(LUXO_BY_RAYS)
-layout(location = 17) flat in vec4 inFrame;
+layout(location = kLocationFrame) flat in vec4 inFrame;
 vec4 normalFrame() { return inFrame; }
 
 #else
@@ -16,8 +16,8 @@ bool isTurned(vec3 v) {
 }
 
 #ifdef LUXO_VERTEX_TANGENTS
-layout(location = 17) sample in vec4 inTangent;
-layout(location = 18) sample in vec3 inRestNormal;
+layout(location = kLocationTangent) sample in vec4 inTangent;
+layout(location = kLocationRestNormal) sample in vec3 inRestNormal;
 
 vec4 normalFrame() {
   vec3 facet = kFacetNormal ? cross(dFdx(inTangent.xyz), dFdy(inTangent.xyz)) : vec3(0);

@@ -3,14 +3,14 @@
 // triangle around the place at which its pixel is sampled and so small that no other pixel is.
 #include "lib/instance_vertex.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec3 inNormal;
+layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec3 inNormal;
 
 #ifdef LUXO_RAY_POINT
 #include "lib/around_place.glsl"
 
-layout(location = 3) in vec4 inPlace;  // of the sample, in the target; its depth in the depth buffer, and in metres
-layout(location = 6) in uint inPointFlags;
+layout(location = kAttributePointPlace) in vec4 inPlace;  // of the sample, in the target; its depth in the depth buffer, and in metres
+layout(location = kAttributePointFlags) in uint inPointFlags;
 vec3 positionOfVertex(InstanceData instance) { return inPosition; }  // relative already
 vec3 normalOfVertex(InstanceData instance) { return inNormal; }
 float depthOfVertex(vec3 relative) { return inPlace.w; }

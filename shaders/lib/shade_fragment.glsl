@@ -31,10 +31,10 @@ layout(set = kSetFound, binding = kBindingOpenness) uniform sampler2D opennesses
 #define LUXO_OPENNESS
 float openness() { return kOcclusion ? texelFetch(opennesses, ivec2(gl_FragCoord.xy), 0).x : 1.0; }
 
-layout(location = 0) flat in vec4 inViewer;
-layout(location = 1) flat in vec3 inPlace[3];
-layout(location = 4) flat in vec3 inRay[3];
-layout(location = 7) flat in vec2 inMiddle;
+layout(location = kLocationTargetViewer) flat in vec4 inViewer;
+layout(location = kLocationTargetPlace) flat in vec3 inPlace[3];
+layout(location = kLocationTargetRay) flat in vec3 inRay[3];
+layout(location = kLocationTargetMiddle) flat in vec2 inMiddle;
 
 layout(location = 0) out vec4 outColor;
 

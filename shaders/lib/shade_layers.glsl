@@ -19,10 +19,10 @@ layout(scalar, set = kSetLayers, binding = kBindingLayerMaterials) uniform Unifo
 };
 
 // As of whoever lights what was found (lib/shade_fragment.glsl).
-layout(location = 0) flat in vec4 inViewer;
-layout(location = 1) flat in vec3 inPlace[3];
-layout(location = 4) flat in vec3 inRay[3];
-layout(location = 7) flat in vec2 inMiddle;
+layout(location = kLocationTargetViewer) flat in vec4 inViewer;
+layout(location = kLocationTargetPlace) flat in vec3 inPlace[3];
+layout(location = kLocationTargetRay) flat in vec3 inRay[3];
+layout(location = kLocationTargetMiddle) flat in vec2 inMiddle;
 
 layout(constant_id = kConstantOcclusion) const bool kOcclusion = false;
 layout(set = kSetLayers, binding = kBindingLayersFound) uniform sampler2D foundTexels;

@@ -5,10 +5,10 @@
 #include "lib/packed_lights.glsl"
 #include "lib/scene.glsl"
 
-layout(location = 0) in vec3 inPosition;
-layout(location = 1) in vec2 inParameters;
-layout(location = 2) in vec3 inCell;  // extent in u and v; how much derivatives change over it, metres of the object
-layout(location = 3) in uint inPatch;
+layout(location = kAttributeShellPosition) in vec3 inPosition;
+layout(location = kAttributeShellParameters) in vec2 inParameters;
+layout(location = kAttributeShellCell) in vec3 inCell;  // extent in u and v; how much derivatives change over it, metres of the object
+layout(location = kAttributeShellPatch) in uint inPatch;
 
 layout(scalar, set = kSetExact, binding = kBindingExactInstances) readonly buffer ExactInstances { ExactInstance exactInstances[]; };
 layout(scalar, set = kSetExact, binding = kBindingExactPatches) readonly buffer ExactPatches { ExactPatch exactPatches[]; };

@@ -12,14 +12,14 @@
 
 layout(constant_id = kConstantFacetNormal) const bool kFacetNormal = false;
 
-layout(location = 0) sample in vec3 inPosition;
-layout(location = 1) sample in vec3 inNormal;
-layout(location = 2) flat in vec3 inAmbient;
-layout(location = 3) flat in vec3 inDiffuse;
-layout(location = 4) flat in vec3 inSpecular;
-layout(location = 5) flat in vec2 inShininessOpacity;
-layout(location = 6) flat in uvec3 inNumbers;
-layout(location = 7) flat in vec4 inViewer;
+layout(location = kLocationPosition) sample in vec3 inPosition;
+layout(location = kLocationNormal) sample in vec3 inNormal;
+layout(location = kLocationAmbient) flat in vec3 inAmbient;
+layout(location = kLocationDiffuse) flat in vec3 inDiffuse;
+layout(location = kLocationSpecular) flat in vec3 inSpecular;
+layout(location = kLocationShininessOpacity) flat in vec2 inShininessOpacity;
+layout(location = kLocationNumbers) flat in uvec3 inNumbers;
+layout(location = kLocationViewer) flat in vec4 inViewer;
 
 Material foundMaterial() {
   if (kCarries) return Material(inAmbient, inDiffuse, inSpecular, inShininessOpacity.x, inNumbers.x);

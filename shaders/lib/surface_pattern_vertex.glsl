@@ -3,22 +3,22 @@
 #include "lib/rest_frame.glsl"
 #include "lib/surface_vertex.glsl"
 
-layout(location = 2) in vec2 inParameters;
+layout(location = kAttributeParameters) in vec2 inParameters;
 
 layout(location = kLocationDetail) sample out vec3 outDetail;  // u, v, silhouette()
-layout(location = 15) flat out vec4 outParameterBounds;
+layout(location = kLocationParameterBounds) flat out vec4 outParameterBounds;
 #ifdef LUXO_RAY_FOOTPRINT
-layout(location = 4) in vec4 inFootprint;
-layout(location = 16) flat out vec4 outFootprint;
+layout(location = kAttributePointFootprint) in vec4 inFootprint;
+layout(location = kLocationFootprint) flat out vec4 outFootprint;
 #endif
 #ifdef LUXO_RAY_FRAME
-layout(location = 5) in vec4 inFrame;
-layout(location = 17) flat out vec4 outFrame;
+layout(location = kAttributePointFrame) in vec4 inFrame;
+layout(location = kLocationFrame) flat out vec4 outFrame;
 #endif
 #ifdef LUXO_TANGENTS
-layout(location = 5) in vec4 inTangent;
-layout(location = 17) sample out vec4 outTangent;
-layout(location = 18) sample out vec3 outRestNormal;  // of what has moved: then the tangent is a point, and 4
+layout(location = kAttributeTangent) in vec4 inTangent;
+layout(location = kLocationTangent) sample out vec4 outTangent;
+layout(location = kLocationRestNormal) sample out vec3 outRestNormal;  // of what has moved: then the tangent is a point, and 4
 #endif
 
 void main() {

@@ -4,14 +4,14 @@
 #include "lib/carried_lights.glsl"
 #include "lib/placed_vertex.glsl"
 
-layout(location = 0) sample out vec3 outPosition;
-layout(location = 1) sample out vec3 outNormal;
-layout(location = 2) flat out vec3 outAmbient;
-layout(location = 3) flat out vec3 outDiffuse;
-layout(location = 4) flat out vec3 outSpecular;
-layout(location = 5) flat out vec2 outShininessOpacity;
-layout(location = 6) flat out uvec3 outNumbers;  // flags; the material's number; where its pattern's parameters start
-layout(location = 7) flat out vec4 outViewer;
+layout(location = kLocationPosition) sample out vec3 outPosition;
+layout(location = kLocationNormal) sample out vec3 outNormal;
+layout(location = kLocationAmbient) flat out vec3 outAmbient;
+layout(location = kLocationDiffuse) flat out vec3 outDiffuse;
+layout(location = kLocationSpecular) flat out vec3 outSpecular;
+layout(location = kLocationShininessOpacity) flat out vec2 outShininessOpacity;
+layout(location = kLocationNumbers) flat out uvec3 outNumbers;  // flags; the material's number; where its pattern's parameters start
+layout(location = kLocationViewer) flat out vec4 outViewer;
 
 invariant gl_Position;
 

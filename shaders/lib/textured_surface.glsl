@@ -8,7 +8,7 @@ layout(location = kLocationDetail) sample in vec3 inDetail;
 vec2 foundParameters() { return inDetail.xy; }
 
 #ifdef LUXO_BY_RAYS
-layout(location = 16) flat in vec4 inFootprint;
+layout(location = kLocationFootprint) flat in vec4 inFootprint;
 vec4 pixelFootprint() { return inFootprint; }
 #else
 #include "lib/mesh_footprint.glsl"

@@ -2,10 +2,10 @@
 // A vertex of a triangle over the whole target, with what its fragments need to know of places in the view.
 #include "lib/scene.glsl"
 
-layout(location = 0) flat out vec4 outViewer;
-layout(location = 1) flat out vec3 outPlace[3];  // middle, right, down, as in ViewData
-layout(location = 4) flat out vec3 outRay[3];
-layout(location = 7) flat out vec2 outMiddle;
+layout(location = kLocationTargetViewer) flat out vec4 outViewer;
+layout(location = kLocationTargetPlace) flat out vec3 outPlace[3];  // middle, right, down, as in ViewData
+layout(location = kLocationTargetRay) flat out vec3 outRay[3];
+layout(location = kLocationTargetMiddle) flat out vec2 outMiddle;
 
 void viewTarget() {
   outViewer = view.viewer;

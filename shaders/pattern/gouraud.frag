@@ -2,13 +2,14 @@
 // The interpolated light of the side that is seen, on a pattern.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shared/bindings.h"
 
-layout(location = 0) sample in vec3 inFront;
-layout(location = 1) sample in vec3 inBack;
-layout(location = 2) sample in vec4 inFrontRest;
-layout(location = 3) sample in vec4 inBackRest;
-layout(location = 6) flat in uvec3 inNumbers;
-layout(location = 14) sample in vec2 inParameters;
+layout(location = kLocationFront) sample in vec3 inFront;
+layout(location = kLocationBack) sample in vec3 inBack;
+layout(location = kLocationFrontRest) sample in vec4 inFrontRest;
+layout(location = kLocationBackRest) sample in vec4 inBackRest;
+layout(location = kLocationNumbers) flat in uvec3 inNumbers;
+layout(location = kLocationDetail) sample in vec2 inParameters;
 
 #include "lib/pattern_of_mesh.glsl"
 #ifdef LUXO_TEXTURED

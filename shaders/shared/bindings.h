@@ -115,16 +115,97 @@ LUXO_CONSTANT kConstantSpots = 25;          // the lights, a bit each, that are 
 LUXO_CONSTANT kCarriedLights = 2;
 LUXO_CONSTANT kCarriedShades = 1;
 
-// Of what vertices of meshes are given: the first of nine that are of the instance.
-LUXO_CONSTANT kLocationInstance = 7;
+// Attributes: what vertices are given. Of meshes, and of points that rays have found.
+LUXO_CONSTANT kAttributePosition = 0;
+LUXO_CONSTANT kAttributeNormal = 1;
+LUXO_CONSTANT kAttributeParameters = 2;
 
-// Where vertices of surfaces carry them, and what follows: u, v and the like.
-LUXO_CONSTANT kLocationLights = 8;
-LUXO_CONSTANT kLocationShades = kLocationLights + 2 * kCarriedLights;
-LUXO_CONSTANT kLocationDetail = 14;
+// Of meshes alone; from the second on of their instance, whose matrices take three each, by columns.
+LUXO_CONSTANT kAttributeTangent = 5;
+LUXO_CONSTANT kAttributeRelativeFromObject = 7;
+LUXO_CONSTANT kAttributeTranslation = kAttributeRelativeFromObject + 3;
+LUXO_CONSTANT kAttributeNormalFromObject = kAttributeTranslation + 1;
+LUXO_CONSTANT kAttributeInstanceNumbers = kAttributeNormalFromObject + 3;
+LUXO_CONSTANT kAttributeDomain = kAttributeInstanceNumbers + 1;
+
+// Of points that rays have found alone.
+LUXO_CONSTANT kAttributePointPlace = 3;
+LUXO_CONSTANT kAttributePointFootprint = 4;
+LUXO_CONSTANT kAttributePointFrame = 5;
+LUXO_CONSTANT kAttributePointFlags = 6;
+
+// Of shells.
+LUXO_CONSTANT kAttributeShellPosition = 0;
+LUXO_CONSTANT kAttributeShellParameters = 1;
+LUXO_CONSTANT kAttributeShellCell = 2;
+LUXO_CONSTANT kAttributeShellPatch = 3;
+
+// Of what rays have found of the shadows in a pixel.
+LUXO_CONSTANT kAttributeShadowPlace = 0;
+LUXO_CONSTANT kAttributeShadows = 1;
+LUXO_CONSTANT kAttributeTransmittance = 2;
+
+// Of pixels whose layers rays have found.
+LUXO_CONSTANT kAttributeLayerPlace = 0;
+LUXO_CONSTANT kAttributeLayerRange = 1;
 
 // So many lights are interpolated between vertices, each by itself, in one draw.
 LUXO_CONSTANT kVertexLights = 8;
+
+// Locations: where vertices hand to fragments what these get of them. Of surfaces.
+LUXO_CONSTANT kLocationPosition = 0;
+LUXO_CONSTANT kLocationNormal = 1;
+LUXO_CONSTANT kLocationAmbient = 2;
+LUXO_CONSTANT kLocationDiffuse = 3;
+LUXO_CONSTANT kLocationSpecular = 4;
+LUXO_CONSTANT kLocationShininessOpacity = 5;
+LUXO_CONSTANT kLocationNumbers = 6;
+LUXO_CONSTANT kLocationViewer = 7;
+LUXO_CONSTANT kLocationLights = 8;
+LUXO_CONSTANT kLocationShades = kLocationLights + 2 * kCarriedLights;
+LUXO_CONSTANT kLocationDetail = 14;  // u, v and the like
+LUXO_CONSTANT kLocationParameterBounds = 15;
+LUXO_CONSTANT kLocationFootprint = 16;
+LUXO_CONSTANT kLocationFrame = 17;    // of points that rays have found
+LUXO_CONSTANT kLocationTangent = 17;  // of meshes
+LUXO_CONSTANT kLocationRestNormal = 18;
+
+// Of surfaces whose geometry is shown, beside position and normal.
+LUXO_CONSTANT kLocationInspectedParameters = 2;
+LUXO_CONSTANT kLocationInspectedDomain = 3;
+LUXO_CONSTANT kLocationInspectedFlagsId = 4;
+LUXO_CONSTANT kLocationInspectedDepth = 5;
+
+// Of light that is interpolated, beside the numbers, details and bounds of surfaces; the rest is what no pattern scales.
+LUXO_CONSTANT kLocationFront = 0;
+LUXO_CONSTANT kLocationBack = 1;
+LUXO_CONSTANT kLocationFrontRest = 2;
+LUXO_CONSTANT kLocationBackRest = 3;
+
+// Of light that is interpolated where there are shadows, beside the details and bounds of surfaces.
+LUXO_CONSTANT kLocationAgainReceived = 0;
+LUXO_CONSTANT kLocationAgainNumbers = kLocationAgainReceived + kVertexLights;
+LUXO_CONSTANT kLocationAgainAmbient = kLocationAgainNumbers + 1;
+LUXO_CONSTANT kLocationAgainDiffuse = kLocationAgainAmbient + 1;
+LUXO_CONSTANT kLocationAgainSpecular = kLocationAgainDiffuse + 1;
+LUXO_CONSTANT kLocationAgainOpacity = kLocationAgainSpecular + 1;
+
+// Of draws over the whole target, with kLocationLights where they light it.
+LUXO_CONSTANT kLocationTargetViewer = 0;
+LUXO_CONSTANT kLocationTargetPlace = 1;
+LUXO_CONSTANT kLocationTargetRay = 4;
+LUXO_CONSTANT kLocationTargetMiddle = 7;
+
+// Of what rays have found of a pixel's shadows, and of its layers.
+LUXO_CONSTANT kLocationShadows = 0;
+LUXO_CONSTANT kLocationTransmittance = 0;
+LUXO_CONSTANT kLocationLayerRange = 0;
+LUXO_CONSTANT kLocationLayerGroup = 1;
+
+// Of planar shadows, and of the lines of wireframes.
+LUXO_CONSTANT kLocationFlatHeight = 0;
+LUXO_CONSTANT kLocationFlatParameters = 1;
+LUXO_CONSTANT kLocationLineDiffuse = 0;
 
 // vec4 that vertices of a shell hand to fragments: more than Vulkan promises, as many as devices have.
 LUXO_CONSTANT kVaryings = 30;
@@ -135,6 +216,16 @@ LUXO_CONSTANT kLightNumbers = 6;
 LUXO_CONSTANT kShadeNumbers = 5;
 
 #ifdef __cplusplus
+// Attributes of one kind of vertex have places of their own, among the 16 that every device has. Shaders that declare two at
+// one place do not compile; lists of attributes do.
+static_assert(kAttributePosition < kAttributeNormal && kAttributeNormal < kAttributeParameters);
+static_assert(kAttributeParameters < kAttributeTangent && kAttributeTangent < kAttributeRelativeFromObject && kAttributeDomain < 16);
+static_assert(kAttributeParameters < kAttributePointPlace && kAttributePointPlace < kAttributePointFootprint &&
+              kAttributePointFootprint < kAttributePointFrame && kAttributePointFrame < kAttributePointFlags);
+static_assert(kAttributeShellPosition < kAttributeShellParameters && kAttributeShellParameters < kAttributeShellCell &&
+              kAttributeShellCell < kAttributeShellPatch);
+static_assert(kAttributeShadowPlace < kAttributeShadows && kAttributeShadows < kAttributeTransmittance);
+static_assert(kAttributeLayerPlace < kAttributeLayerRange);
 }  // namespace luxo::shared
 #endif
 #endif

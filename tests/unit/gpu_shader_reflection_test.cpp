@@ -234,19 +234,24 @@ void main() {
   EXPECT_EQ(all.outputs.size(), 4u);  // gl_Position, too
 }
 
-TEST(ShaderReflection, APipelineIsToldLocationsAndPushConstants) {
+TEST(ShaderReflection, APipelineIsToldInputsAndPushConstants) {
   const auto stage = stageInterface(ShaderCompiler("")
                                         .compile({.source = {"a.vert", R"(#version 460
 layout(location = 4) in vec3 inNormal;
 layout(location = 0) in vec2 inPlace;
 layout(location = 1) in mat3 inFrame;
+layout(location = 5) in uvec4 inCounts[2];
 layout(push_constant) uniform Draw { mat4 clip; vec3 eye; float side; vec2 size; };
 void main() {
-  gl_Position = clip * vec4(inFrame * (inNormal + side * eye) + vec3(inPlace * size, gl_VertexIndex), 1);
+  gl_Position = clip * vec4(inFrame * (inNormal + side * eye) + vec3(inPlace * size, gl_VertexIndex), 1) +
+                vec4(inCounts[0] + inCounts[1]);
 })"},
                                                   .stage = ShaderStage::Vertex})
                                         .spirv);
-  EXPECT_THAT(stage.inputs, ElementsAre(0u, 1u, 2u, 3u, 4u));
+  std::vector<std::string> inputs;
+  for (const StageInput& input : stage.inputs)
+    inputs.push_back(fmt::format("{} {}", input.location, input.type));
+  EXPECT_THAT(inputs, ElementsAre("0 vec2", "1 vec3", "2 vec3", "3 vec3", "4 vec3", "5 uvec4", "6 uvec4"));
   EXPECT_EQ(stage.pushConstantBytes, 64u + 16 + 8);
 }
 
