@@ -210,7 +210,7 @@ void setSurfaceFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc
     blend(desc, gpu::Blend::None);
   } else if (state.shading == Shading::Wireframe) {
     if (state.hidesLines)
-      blend(desc, gpu::Blend::Keep);
+      desc.colorWrite = false;
     else
       desc.polygonMode = VK_POLYGON_MODE_LINE;
   }
