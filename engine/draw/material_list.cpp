@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "draw/material_program.h"
@@ -316,6 +317,12 @@ void MaterialList::listShades() {
   }
   for (const DrawBatch& batch : list_.opaque)
     if (batch.again) listAgain(batch, false);
+  // Neighbours whose light joins that of others alike are drawn in one pass. Every pixel is of one node, so
+  // that the order of nodes is no matter.
+  for (LightGroup& group : list_.groups)
+    std::ranges::stable_sort(group.again, {}, [](const DrawBatch& again) {
+      return std::pair(again.state.addsLight, again.state.shading);
+    });
   for (const DrawBatch& batch : list_.layers.meshes)
     if (batch.again) listAgain(batch, true);
 }

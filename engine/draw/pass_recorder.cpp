@@ -63,6 +63,7 @@ constexpr VkClearDepthStencilValue kInfinitelyFar{0.0f, 0};  // reversed
 
 void PassRecorder::record(const Pass& pass) {
   const gpu::Label label(context_, commands_, pass.name);
+  format_ = formatOf(pass, view_.targets().format());
   if (pass.clearsLayers) view_.layerLists().clear(commands_, pass.band.index);
   useTargets(pass);
   begin(pass);
@@ -182,7 +183,7 @@ void PassRecorder::bindPaint(const gpu::GraphicsPipeline& pipeline, const DrawSt
 }
 
 void PassRecorder::draw(const DrawBatch& batch) {
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(batch.state, format_);
   const bool withParameters = readsParameters(batch.state);
   const DeviceMesh& mesh =
       batch.shell ? store_.get(batch.shell) : store_.get(batch.mesh, withParameters, batch.state.tangents);
@@ -258,7 +259,7 @@ void PassRecorder::count(std::uint32_t draws, std::uint32_t instances, std::uint
 
 /// One triangle over all that was found there.
 void PassRecorder::shade(const DrawState& state, std::size_t group, std::span<const PixelRect> areas) {
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, format_);
   // What blends layers asks for no light.
   const std::vector<LightGroup>& groups = view_.list().groups;
   const std::uint32_t lightOffset = groups.empty() ? 0 : view_.lightOffset(groups[group].lightSet);
@@ -283,7 +284,7 @@ void PassRecorder::search(const CasterDraw& draw) {
   if (area.low.y >= area.high.y) return;
   const Form form = draw.state.form;
   const bool ofLayers = form != Form::MeshPlace && form != Form::Shadow && form != Form::Transmittance;
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, format_);
   const std::uint32_t noLights = 0;
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
@@ -300,7 +301,7 @@ void PassRecorder::search(const CasterDraw& draw) {
 }
 
 void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(draw.state, format_);
   const bool withParameters = draw.state.pattern.valid();
   const DeviceMesh& mesh = store_.get(draw.mesh, withParameters);
   struct {
@@ -325,8 +326,7 @@ void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
 /// Its faces, three in a row.
 void PassRecorder::drawLightMap(std::size_t group) {
   const LightMapDrawn& drawn = *view_.list().groups[group].map;
-  const gpu::GraphicsPipeline& pipeline =
-      pipelines_.get({.form = Form::LightDepth}, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = Form::LightDepth}, format_);
   pipeline.bind(commands_);
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
@@ -352,7 +352,7 @@ void PassRecorder::drawIntoMap(const gpu::GraphicsPipeline& pipeline, const Ligh
 
 /// On all points that were found, or that are seen through.
 void PassRecorder::compareWithMap(Form form, std::size_t group) {
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = form}, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get({.form = form}, format_);
   const std::uint32_t noLights = 0;
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
@@ -399,7 +399,7 @@ void PassRecorder::drawRays(const RayPoints& points) {
   std::uint32_t instance = 0;
   for (const RayPoints::Run& run : points.runs) {
     const FoundNode& node = view_.list().found[run.found];
-    const gpu::GraphicsPipeline& pipeline = pipelines_.get(node.state, view_.targets().format());
+    const gpu::GraphicsPipeline& pipeline = pipelines_.get(node.state, format_);
     const std::uint32_t lightOffset = view_.lightOffset(node.lightSet);
     pipeline.bind(commands_);
     pipeline.bindSet(commands_, shared::kSetScene, bindings_.sceneOfRays, {&lightOffset, 1});
@@ -429,7 +429,7 @@ void PassRecorder::drawLayers(const RayPoints& points, std::size_t group) {
 void PassRecorder::drawTriangles(const DrawState& state, VkBuffer vertices, std::uint32_t first,
                                  std::uint32_t vertexCount, std::uint32_t instance) {
   if (vertexCount == 0) return;
-  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, view_.targets().format());
+  const gpu::GraphicsPipeline& pipeline = pipelines_.get(state, format_);
   pipeline.bind(commands_);
   if (state.form == Form::LayersByRays) {
     const std::uint32_t noLights = 0;

@@ -70,7 +70,9 @@ class PassRecorder {
   const RenderView::Bindings& bindings_;
   VkCommandBuffer commands_;
   FrameStatistics& statistics_;
-  PixelRect rows_;  // of the pass
+  // Of the pass.
+  TargetFormat format_;
+  PixelRect rows_;
 };
 
 }  // namespace luxo

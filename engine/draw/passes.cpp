@@ -5,10 +5,21 @@
 #include <array>
 #include <utility>
 
+#include "base/assert.h"
+
 namespace luxo {
 namespace {
 
-std::vector<Attachment> color(Begin begin) { return {{Target::Color, begin}}; }
+std::vector<Attachment> color(Begin begin, gpu::Blend blend = gpu::Blend::None) {
+  return {{Target::Color, begin, blend}};
+}
+
+/// How the light on triangles that are drawn again joins that of other lights: of a drawing the lightest of
+/// its levels counts.
+gpu::Blend blendOf(const DrawState& again) {
+  if (!again.addsLight) return gpu::Blend::None;
+  return again.shading == Shading::Gouraud ? gpu::Blend::Add : gpu::Blend::Lighten;
+}
 
 const std::array<DrawState, 1> kOpenness{DrawState{.form = Form::Openness}};
 
@@ -138,7 +149,12 @@ class DeferredPasses {
   void findShadows(std::size_t index) {
     const LightGroup& group = list_.groups[index];
     if (!asksForShadows(group)) return;
-    passes_.push_back(occlusion("shadows", Target::Shadows, index, group.shadows, group.flatShadows));
+    const std::size_t before = passes_.size();
+    if (!shadowsStay_)
+      passes_.push_back(occlusion("shadows", {Target::Shadows, Begin::Clear, gpu::Blend::Or}, index,
+                                  group.shadows, group.flatShadows));
+    if (raysTell(index)) passes_.push_back(occlusionOfRays("shadows of rays", Target::Shadows, index));
+    probeLastSince(before);
   }
 
   void drawLightMap(std::size_t index) {
@@ -148,28 +164,54 @@ class DeferredPasses {
   void findTransmittance(std::size_t index) {
     const LightGroup& group = list_.groups[index];
     if (!group.transmits) return;
-    Pass pass = occlusion("transmittance", Target::Transmittance, index, group.transmittances,
-                          group.flatTransmittances);
-    pass.readsLightMap = group.map.has_value();
-    if (pass.readsLightMap) pass.reads.push_back(Target::LightDepth);
-    passes_.push_back(std::move(pass));
+    const std::size_t before = passes_.size();
+    if (!shadowsStay_)
+      passes_.push_back(occlusion("transmittance",
+                                  {Target::Transmittance, Begin::Clear, gpu::Blend::Multiply}, index,
+                                  group.transmittances, group.flatTransmittances));
+    if (raysTell(index))
+      passes_.push_back(occlusionOfRays("transmittance of rays", Target::Transmittance, index));
+    if (group.map) compareWithMap(index);
+    probeLastSince(before);
   }
 
   /// What keeps lights from what was found.
-  [[nodiscard]] Pass occlusion(const char* name, Target target, std::size_t group,
-                               std::span<const CasterDraw> casters,
-                               std::span<const FlatShadowDraw> flat) const {
-    Pass pass{.name = name,
-              .colors = {{target, shadowsStay_ ? Begin::Keep : Begin::Clear}},
-              .reads = {Target::Found, Target::Places},
-              .searches = !shadowsStay_,
-              .group = group,
-              .rays = frame_.rays,
-              .probes = frame_.probes};
-    if (shadowsStay_) return pass;
-    pass.casters = casters;
-    pass.flatShadows = flat;
-    return pass;
+  [[nodiscard]] static Pass occlusion(const char* name, Attachment target, std::size_t group,
+                                      std::span<const CasterDraw> casters,
+                                      std::span<const FlatShadowDraw> flat) {
+    return {.name = name,
+            .colors = {target},
+            .reads = {Target::Found, Target::Places},
+            .searches = true,
+            .group = group,
+            .casters = casters,
+            .flatShadows = flat};
+  }
+
+  [[nodiscard]] bool raysTell(std::size_t group) const {
+    if (!frame_.rays) return false;
+    return frame_.emptyPasses || (!frame_.rays->shadows.empty() && !frame_.rays->shadows[group].empty());
+  }
+
+  /// What rays have found of that, which replaces what is there.
+  [[nodiscard]] Pass occlusionOfRays(const char* name, Target target, std::size_t group) const {
+    return {.name = name, .colors = {{target}}, .group = group, .rays = frame_.rays};
+  }
+
+  /// Along with the casters, unless points of rays come in between, which know nothing of the map.
+  void compareWithMap(std::size_t group) {
+    if (raysTell(group))
+      passes_.push_back({.name = "light map",
+                         .colors = {{Target::Transmittance, Begin::Keep, gpu::Blend::Multiply}},
+                         .reads = {Target::Found},
+                         .group = group});
+    passes_.back().readsLightMap = true;
+    passes_.back().reads.push_back(Target::LightDepth);
+  }
+
+  /// Of passes onto one target, all since there were so many, the last leaves what probes are of.
+  void probeLastSince(std::size_t before) {
+    if (passes_.size() > before) passes_.back().probes = frame_.probes;
   }
 
   /// Rays tell the shadows of all their pixels: the light of the others is there. A miss is cleared with all.
@@ -190,7 +232,8 @@ class DeferredPasses {
   void shade(std::size_t index) {
     const LightGroup& group = list_.groups[index];
     Pass pass{.name = "shade",
-              .colors = color(index == 0 && !shadesStay() ? Begin::Clear : Begin::Keep),
+              .colors = color(index == 0 && !shadesStay() ? Begin::Clear : Begin::Keep,
+                              index == 0 ? gpu::Blend::None : gpu::Blend::Add),
               .reads = readsOf(group),
               .group = index,
               .shades = group.shades,
@@ -201,15 +244,21 @@ class DeferredPasses {
 
   void drawAgain(std::size_t index) {
     const LightGroup& group = list_.groups[index];
-    if (group.again.empty()) return;
     std::vector<Target> reads = readsOf(group);
     if (againAsksForShadows(group) && list_.findsTransmittances() && !group.transmits)
       reads.push_back(Target::Transmittance);
-    passes_.push_back({.name = "meshes again",
-                       .colors = color(Begin::Keep),
-                       .reads = std::move(reads),
-                       .batches = group.again,
-                       .group = index});
+    for (auto first = group.again.begin(); first != group.again.end();) {
+      const gpu::Blend blend = blendOf(first->state);
+      const auto end = std::find_if(first, group.again.end(), [blend](const DrawBatch& batch) {
+        return blendOf(batch.state) != blend;
+      });
+      passes_.push_back({.name = "meshes again",
+                         .colors = color(Begin::Keep, blend),
+                         .reads = reads,
+                         .batches = {first, end},
+                         .group = index});
+      first = end;
+    }
   }
 
   const DrawList& list_;
@@ -261,7 +310,8 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
     for (std::size_t k = 0; k < group.layerAgain.size(); ++k)
       add("layers again", {.batches = std::span(group.layerAgain).subspan(k, 1), .group = i});
   }
-  add("blend layers", {.colors = color(Begin::Keep),
+  const bool ofGeometry = inspectionOf(list.layers.blend).has_value();
+  add("blend layers", {.colors = color(Begin::Keep, ofGeometry ? gpu::Blend::None : gpu::Blend::Through),
                        .searches = true,
                        .countsLayers = true,
                        .shades = {&list.layers.blend, 1}});
@@ -305,12 +355,26 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
   for (std::uint32_t band = 0; list.layers.any() && band < frame.layerBands; ++band)
     addLayers(list, frame, {band, frame.layerBands}, replaces, passes);
   if (replaces) return passes;
-  if (!list.transparent.empty() || frame.emptyPasses)
-    passes.push_back({.name = "transparent", .colors = color(Begin::Keep), .batches = list.transparent});
+  if (list.transparent.empty() && !frame.emptyPasses) return passes;
+  // Of geometry the nearest counts.
+  const bool ofGeometry = !list.transparent.empty() && inspectionOf(list.transparent.front().state);
+  passes.push_back({.name = "transparent",
+                    .colors = color(Begin::Keep, ofGeometry ? gpu::Blend::None : gpu::Blend::Color),
+                    .batches = list.transparent});
   return passes;
 }
 
-void appendStates(const Pass& pass, std::vector<DrawState>& states) {
+TargetFormat formatOf(const Pass& pass, const PictureFormat& picture) {
+  TargetFormat format{.samples = picture.samples};
+  if (pass.depth) format.depth = formatOf(pass.depthTarget, picture);
+  LUXO_REQUIRE_COMPARE(pass.colors.size(), <=, format.colors.size());
+  for (std::size_t i = 0; i < pass.colors.size(); ++i)
+    format.colors[i] = {formatOf(pass.colors[i].target, picture), pass.colors[i].blend};
+  return format;
+}
+
+std::vector<DrawState> statesOf(const Pass& pass) {
+  std::vector<DrawState> states;
   const auto append = [&](const auto& draws) {
     for (const auto& draw : draws) states.push_back(draw.state);
   };
@@ -321,6 +385,7 @@ void appendStates(const Pass& pass, std::vector<DrawState>& states) {
   if (pass.drawsLightMap) states.push_back({.form = Form::LightDepth});
   if (pass.readsLightMap)
     states.push_back({.form = pass.colors.empty() ? Form::LayerLightMap : Form::LightMap});
+  return states;
 }
 
 }  // namespace luxo

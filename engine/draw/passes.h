@@ -10,6 +10,7 @@
 #include "draw/draw_list.h"
 #include "draw/ray_points.h"
 #include "draw/view_targets.h"
+#include "gpu/pipeline.h"
 
 namespace luxo {
 
@@ -17,11 +18,12 @@ namespace luxo {
 /// it held.
 enum class Begin { Clear, Keep };
 
-/// How colours join those that are there is their draw's (ScenePipelines), not the pass's: shadows of casters
-/// are united in a target where points of rays, in the same pass, replace what they find.
+/// Draws whose colours join those that are there in different ways are in passes of their own: shadows of
+/// casters are united, in a target where points of rays replace what they find.
 struct Attachment {
   Target target = Target::Color;
   Begin begin = Begin::Keep;
+  gpu::Blend blend = gpu::Blend::None;  ///< how colours join those that are there
 };
 
 /// Rows of the picture, of so many bands of them.
@@ -43,7 +45,7 @@ struct Pass {
   bool drawsLightMap = false, readsLightMap = false;  ///< of the group
   LayerBand band;
   bool clearsLayers = false, countsLayers = false;  ///< before it, and after it
-  const RayPoints* rays = nullptr;                  ///< drawn after these; after shadows or layers, theirs
+  const RayPoints* rays = nullptr;  ///< drawn after these; onto shadows, or into layers, theirs
   std::span<const DrawState> shades;                ///< light on all that was found
   std::span<const RayShadow> pixels;                ///< where not empty: light in these alone
   bool asks = false;                                ///< its fragments may send rays into the scene
@@ -64,7 +66,8 @@ struct FrameDesc {
 /// The list must outlive the passes, and have its batches in their order (DrawList::opaque).
 [[nodiscard]] std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame);
 
-/// What a pass needs pipelines for, but for points of rays, which are few.
-void appendStates(const Pass& pass, std::vector<DrawState>& states);
+/// What a pass needs pipelines for, but for points of rays, which are few; and what these pipelines draw to.
+[[nodiscard]] std::vector<DrawState> statesOf(const Pass& pass);
+[[nodiscard]] TargetFormat formatOf(const Pass& pass, const PictureFormat& picture);
 
 }  // namespace luxo

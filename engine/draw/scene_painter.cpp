@@ -2,6 +2,7 @@
 #include "draw/scene_painter.h"
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/stopwatch.h"
@@ -111,10 +112,13 @@ DrawList ScenePainter::listed(const Snapshot& snapshot, const DrawOptions& optio
   return list;
 }
 
-void ScenePainter::preparePipelines(const DrawList& list, const TargetFormat& format) {
-  std::vector<DrawState> states;
-  for (const Pass& pass : passesOf(list, {})) appendStates(pass, states);
-  pipelines_.prepare(states, format);
+void ScenePainter::preparePipelines(const DrawList& list, const PictureFormat& format) {
+  std::vector<ScenePipelines::Wanted> wanted;
+  for (const Pass& pass : passesOf(list, {})) {
+    const TargetFormat targets = formatOf(pass, format);
+    for (DrawState& state : statesOf(pass)) wanted.push_back({std::move(state), targets});
+  }
+  pipelines_.prepare(wanted);
 }
 
 void ScenePainter::recordAnswers(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,

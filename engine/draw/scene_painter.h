@@ -56,7 +56,7 @@ class ScenePainter {
   [[nodiscard]] DrawOptions possible(const Snapshot& snapshot, const DrawOptions& options) const;
   [[nodiscard]] DrawList listed(const Snapshot& snapshot, const DrawOptions& options,
                                 FrameStatistics& statistics);
-  void preparePipelines(const DrawList& list, const TargetFormat& format);
+  void preparePipelines(const DrawList& list, const PictureFormat& format);
   void recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands, RenderView& view,
                     const FrameDesc& frame, FrameStatistics& statistics);
 

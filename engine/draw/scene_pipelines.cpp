@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -55,7 +56,7 @@ std::string_view nameOfPipeline(const DrawState& state) {
 }
 
 /// All that any shader asks for.
-std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, const TargetFormat& format) {
+std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, const TargetFormat& targets) {
   const auto inspection = inspectionOf(state);
   return {{shared::kConstantPlainLights, state.plainLights},
           {shared::kConstantShadedLights, state.shadedLights},
@@ -72,7 +73,7 @@ std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, con
           {shared::kConstantPoles, state.poles},
           {shared::kConstantFrontOnly, state.frontOnly},
           {shared::kConstantEquation, state.equation},
-          {shared::kConstantManySamples, format.samples != VK_SAMPLE_COUNT_1_BIT},
+          {shared::kConstantManySamples, targets.samples != VK_SAMPLE_COUNT_1_BIT},
           {shared::kConstantPattern, state.patternNumber},
           {shared::kConstantManyMaterials, state.manyMaterials},
           {shared::kConstantAddsLight, state.addsLight},
@@ -154,81 +155,25 @@ void setVertices(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   }
 }
 
-/// What is drawn onto: colours that are overwritten, and the depth of what is nearest so far.
-void setTargets(const DrawState& state, const TargetFormat& format, gpu::GraphicsPipelineDesc& desc) {
-  using enum Form;
-  desc.samples = format.samples;
-  desc.depthFormat = isOfLayers(state) ? VK_FORMAT_UNDEFINED : format.depth;
-  switch (state.form) {
-    case Fused:
-    case Shade:
-    case Again:
-    case BlendLayers:
-      desc.colors = {{format.color}};
-      break;
-    case Found:
-    case FoundWithParameters:
-      desc.colors = {{kFoundFormat}};
-      if (state.form == FoundWithParameters) desc.colors.push_back({kFoundParametersFormat});
-      if (state.footprint) desc.colors.push_back({kFoundFootprintFormat});
-      if (state.frame) desc.colors.push_back({kFoundFrameFormat});
-      break;
-    case Openness:
-      desc.colors = {{kOpennessFormat}};
-      break;
-    case MeshPlace:
-      desc.colors = {{kPlacesFormat}};
-      break;
-    case Shadow:
-    case ShadowsByRays:
-    case FlatShadow:
-      desc.colors = {{kShadowsFormat}};
-      break;
-    case Transmittance:
-    case TransmittanceByRays:
-    case FlatTransmittance:
-    case LightMap:
-      desc.colors = {{kTransmittanceFormat}};
-      break;
-    case LightDepth:
-      desc.samples = VK_SAMPLE_COUNT_1_BIT;
-      break;
-    default:  // lists of layers are buffers
-      break;
-  }
-}
-
-void blend(gpu::GraphicsPipelineDesc& desc, gpu::Blend how) {
-  for (gpu::ColorAttachment& color : desc.colors) color.blend = how;
-}
-
 /// Which fragments of surfaces count: the nearest, and points that rays have found, which replace what is
 /// there.
 void setSurfaceFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
-  if (state.blended && state.output == Output::Color) blend(desc, gpu::Blend::Color);
   desc.depthWrite = !state.blended;
   if (state.surface) desc.depthClamp = true;
   if (state.byRays) desc.depthCompare = VK_COMPARE_OP_ALWAYS;
   if (!state.surface && inspectionOf(state)) {
-    // The nearest surface counts, transparent or not.
-    desc.depthWrite = true;
-    blend(desc, gpu::Blend::None);
+    desc.depthWrite = true;  // the nearest surface counts, transparent or not
   } else if (state.shading == Shading::Wireframe) {
     if (state.hidesLines)
-      blend(desc, gpu::Blend::Keep);
+      desc.colorWrite = false;
     else
       desc.polygonMode = VK_POLYGON_MODE_LINE;
   }
 }
 
-/// Which fragments count, and how they join what is there.
+/// Which fragments count.
 void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   using enum Form;
-  // One triangle over all, as far as can be, has what is nearer than that: what has been found.
-  const auto overAllFound = [&] {
-    desc.depthWrite = false;
-    desc.depthCompare = VK_COMPARE_OP_LESS;
-  };
   switch (state.form) {
     case Fused:
     case Found:
@@ -236,34 +181,21 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
       setSurfaceFragments(state, desc);
       break;
     case Shade:
-      overAllFound();
-      if (state.addsLight) blend(desc, gpu::Blend::Add);
+    case Openness:
+    case MeshPlace:
+    case Shadow:
+    case Transmittance:
+    case LightMap:
+      // One triangle over all, as far as can be, has what is nearer than that: what has been found.
+      desc.depthWrite = false;
+      desc.depthCompare = VK_COMPARE_OP_LESS;
       break;
     case Again:  // as near as the points that the same triangles have put down, where they are one a pixel
       desc.depthWrite = false;
       desc.depthCompare = VK_COMPARE_OP_EQUAL;
-      if (state.addsLight)
-        blend(desc, state.shading == Shading::Gouraud ? gpu::Blend::Add : gpu::Blend::Lighten);
-      break;
-    case Openness:
-    case MeshPlace:
-      overAllFound();
-      break;
-    case Shadow:
-      overAllFound();
-      blend(desc, gpu::Blend::Or);
-      break;
-    case Transmittance:
-    case LightMap:
-      overAllFound();
-      blend(desc, gpu::Blend::Multiply);
       break;
     case FlatShadow:
     case FlatTransmittance:
-      desc.depthWrite = false;
-      desc.depthCompare = VK_COMPARE_OP_ALWAYS;
-      blend(desc, state.form == FlatShadow ? gpu::Blend::Or : gpu::Blend::Multiply);
-      break;
     case ShadowsByRays:
     case TransmittanceByRays:
       desc.depthWrite = false;
@@ -272,10 +204,7 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
     case LightDepth:
       desc.depthClamp = true;
       break;
-    case BlendLayers:
-      blend(desc, inspectionOf(state) ? gpu::Blend::None : gpu::Blend::Through);
-      break;
-    default:  // lists of layers are buffers
+    default:  // of layers: there is no depth
       break;
   }
 }
@@ -294,33 +223,38 @@ void requireFeatures(const gpu::Features& features, const gpu::GraphicsPipelineD
 
 }  // namespace
 
-const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& wanted, const TargetFormat& format) {
-  prepare({&wanted, 1}, format);
-  Made& made = pipelines_.at({canonical(wanted), format});
+const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& state, const TargetFormat& targets) {
+  const Wanted wanted{canonical(state), targets};
+  prepare({&wanted, 1});
+  Made& made = pipelines_.at(wanted);
   made.lastPicture = picture_;
   return made.pipeline;
 }
 
-void ScenePipelines::prepare(std::span<const DrawState> wanted, const TargetFormat& format) {
+void ScenePipelines::prepare(std::span<const Wanted> wanted) {
+  std::vector<Wanted> missing;
+  for (const Wanted& one : wanted) {
+    Wanted key{canonical(one.state), one.targets};
+    if (!pipelines_.contains(key)) missing.push_back(std::move(key));
+  }
+  if (missing.empty()) return;
+  std::ranges::sort(missing);
+  missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
   std::vector<DrawState> states;
-  for (const DrawState& state : wanted)
-    if (!pipelines_.contains({canonical(state), format})) states.push_back(canonical(state));
-  if (states.empty()) return;
-  std::ranges::sort(states);
-  states.erase(std::unique(states.begin(), states.end()), states.end());
+  for (const Wanted& one : missing) states.push_back(one.state);
   programs_.prepare(states);
   std::vector<gpu::GraphicsPipelineDesc> descs;
-  std::vector<gpu::ShaderStages> stripped(states.size());
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    gpu::GraphicsPipelineDesc& desc = descs.emplace_back(describe(states[i], format));
-    if (!states[i].smallTriangles) continue;
+  std::vector<gpu::ShaderStages> stripped(missing.size());
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    gpu::GraphicsPipelineDesc& desc = descs.emplace_back(describe(missing[i]));
+    if (!missing[i].state.smallTriangles) continue;
     stripped[i] = gpu::stripped(desc.vertexShader, desc.fragmentShader, desc.specialization);
     desc.vertexShader = stripped[i].vertex;
     desc.fragmentShader = stripped[i].fragment;
   }
   std::vector<gpu::GraphicsPipeline> made = gpu::GraphicsPipeline::makeAll(*context_, descs);
-  for (std::size_t i = 0; i < states.size(); ++i)
-    pipelines_.emplace(std::pair{states[i], format}, Made{std::move(made[i]), bytesOf(descs[i]), picture_});
+  for (std::size_t i = 0; i < missing.size(); ++i)
+    pipelines_.emplace(std::move(missing[i]), Made{std::move(made[i]), bytesOf(descs[i]), picture_});
 }
 
 void ScenePipelines::beginPicture() {
@@ -344,7 +278,7 @@ void ScenePipelines::beginPicture() {
     pipelines_.erase(entry);
   }
   std::vector<const DrawState*> states;
-  for (const auto& entry : pipelines_) states.push_back(&entry.first.first);
+  for (const auto& entry : pipelines_) states.push_back(&entry.first.state);
   programs_.forgetAllBut(states);
 }
 
@@ -353,15 +287,19 @@ VkSampler ScenePipelines::texelSampler() {
   return texelSampler_;
 }
 
-gpu::GraphicsPipelineDesc ScenePipelines::describe(const DrawState& state, const TargetFormat& format) {
+gpu::GraphicsPipelineDesc ScenePipelines::describe(const Wanted& wanted) {
+  const auto& [state, targets] = wanted;
   const ScenePrograms::Program program = programs_.of(state);
   gpu::GraphicsPipelineDesc desc{.name = nameOfPipeline(state),
                                  .vertexShader = program.vertex,
                                  .fragmentShader = program.fragment,
-                                 .specialization = constantsOf(state, format),
+                                 .samples = targets.samples,
+                                 .depthFormat = targets.depth,
+                                 .specialization = constantsOf(state, targets),
                                  .setLayouts = layouts_.of(state)};
+  for (const gpu::ColorAttachment& color : targets.colors)
+    if (color.format != VK_FORMAT_UNDEFINED) desc.colors.push_back(color);
   setVertices(state, desc);
-  setTargets(state, format, desc);
   setFragments(state, desc);
   requireFeatures(context_->features(), desc);
   return desc;

@@ -2,11 +2,11 @@
 // The pipelines of the scene passes, each made when a draw first needs it.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
-#include <utility>
 
 #include "draw/draw_state.h"
 #include "draw/scene_layouts.h"
@@ -31,9 +31,17 @@ class ScenePipelines {
   /// may still be drawing with it.
   void beginPicture();
 
-  [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const TargetFormat& format);
-  /// Makes those of the states that are not made yet, on all cores.
-  void prepare(std::span<const DrawState> states, const TargetFormat& format);
+  /// What decides a pipeline: a draw, and what it draws to.
+  struct Wanted {
+    DrawState state;
+    TargetFormat targets;
+
+    friend auto operator<=>(const Wanted&, const Wanted&) = default;
+  };
+
+  [[nodiscard]] const gpu::GraphicsPipeline& get(const DrawState& state, const TargetFormat& targets);
+  /// Makes those that are not made yet, on all cores.
+  void prepare(std::span<const Wanted> wanted);
   [[nodiscard]] const gpu::DescriptorLayout& layout(SceneSet set) { return layouts_.get(set); }
   [[nodiscard]] VkSampler texelSampler();
   /// The shaders that materials have.
@@ -46,13 +54,13 @@ class ScenePipelines {
     std::uint64_t lastPicture = 0;  ///< that used it
   };
 
-  [[nodiscard]] gpu::GraphicsPipelineDesc describe(const DrawState& state, const TargetFormat& format);
+  [[nodiscard]] gpu::GraphicsPipelineDesc describe(const Wanted& wanted);
 
   gpu::Context* context_;
   SceneLayouts layouts_;
   ScenePrograms programs_;
   gpu::Handle<VkSampler> texelSampler_;
-  std::map<std::pair<DrawState, TargetFormat>, Made> pipelines_;
+  std::map<Wanted, Made> pipelines_;
   std::uint64_t picture_ = 0;
 };
 

@@ -11,7 +11,43 @@ bool fits(const gpu::Texture& texture, VkExtent2D extent, VkSampleCountFlagBits 
          texture.samples() == samples;
 }
 
+constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
+constexpr VkFormat kFoundFootprintFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat kFoundFrameFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+constexpr VkFormat kPlacesFormat = VK_FORMAT_R32G32B32A32_UINT;
+constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
+constexpr VkFormat kOpennessFormat = VK_FORMAT_R32_SFLOAT;
+constexpr VkFormat kTransmittanceFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
+
 }  // namespace
+
+VkFormat formatOf(Target target, const PictureFormat& picture) {
+  switch (target) {
+    case Target::Depth:
+    case Target::LightDepth:
+      return picture.depth;
+    case Target::Found:
+      return kFoundFormat;
+    case Target::FoundParameters:
+      return kFoundParametersFormat;
+    case Target::FoundFootprint:
+      return kFoundFootprintFormat;
+    case Target::FoundFrame:
+      return kFoundFrameFormat;
+    case Target::Places:
+      return kPlacesFormat;
+    case Target::Shadows:
+      return kShadowsFormat;
+    case Target::Transmittance:
+      return kTransmittanceFormat;
+    case Target::Openness:
+      return kOpennessFormat;
+    case Target::Color:
+      break;
+  }
+  return picture.color;
+}
 
 ViewTargets::ViewTargets(gpu::Context& context, Precision precision)
     : context_(&context),

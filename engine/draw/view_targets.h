@@ -2,9 +2,11 @@
 // What the passes of a view write to, and read from each other.
 #pragma once
 
+#include <array>
 #include <compare>
 
 #include "gpu/context.h"
+#include "gpu/pipeline.h"
 #include "gpu/texture.h"
 #include "gpu/vk.h"
 
@@ -34,23 +36,24 @@ enum class Target {
   LightDepth
 };
 
-/// What a pipeline has to know of the targets that it draws to.
-struct TargetFormat {
+/// How a picture and its depths are stored.
+struct PictureFormat {
   VkFormat color = VK_FORMAT_R32G32B32A32_SFLOAT;
   VkFormat depth = VK_FORMAT_D32_SFLOAT;
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+};
+
+[[nodiscard]] VkFormat formatOf(Target target, const PictureFormat& picture);
+
+/// What a pipeline has to know of the targets that it draws to.
+struct TargetFormat {
+  /// In the order of the fragment shader's outputs. The rest have no format.
+  std::array<gpu::ColorAttachment, 4> colors;
+  VkFormat depth = VK_FORMAT_UNDEFINED;  ///< undefined: there is none
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 
   friend auto operator<=>(const TargetFormat&, const TargetFormat&) = default;
 };
-
-inline constexpr VkFormat kFoundFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-inline constexpr VkFormat kFoundParametersFormat = VK_FORMAT_R32G32_SFLOAT;
-inline constexpr VkFormat kFoundFootprintFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-inline constexpr VkFormat kFoundFrameFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
-inline constexpr VkFormat kPlacesFormat = VK_FORMAT_R32G32B32A32_UINT;
-inline constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
-inline constexpr VkFormat kOpennessFormat = VK_FORMAT_R32_SFLOAT;
-inline constexpr VkFormat kTransmittanceFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
 class ViewTargets {
  public:
@@ -73,10 +76,10 @@ class ViewTargets {
   [[nodiscard]] gpu::Texture& picture() { return resolved_ ? resolved_ : color_; }
 
   [[nodiscard]] VkExtent2D extent() const { return color_.extent(); }
-  [[nodiscard]] const TargetFormat& format() const { return format_; }
+  [[nodiscard]] const PictureFormat& format() const { return format_; }
   /// Of a picture with so many samples.
-  [[nodiscard]] TargetFormat format(VkSampleCountFlagBits samples) const {
-    TargetFormat format = format_;
+  [[nodiscard]] PictureFormat format(VkSampleCountFlagBits samples) const {
+    PictureFormat format = format_;
     format.samples = samples;
     return format;
   }
@@ -87,7 +90,7 @@ class ViewTargets {
 
  private:
   gpu::Context* context_;
-  TargetFormat format_;
+  PictureFormat format_;
   gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, foundFrame_, places_,
       shadows_, transmittance_, openness_, lightDepth_;
 };

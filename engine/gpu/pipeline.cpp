@@ -48,7 +48,6 @@ class ShaderModule {
 };
 
 VkPipelineColorBlendAttachmentState blendState(Blend blend) {
-  if (blend == Blend::Keep) return {};
   VkPipelineColorBlendAttachmentState state{.colorWriteMask =
                                                 VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
                                                 VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT};
@@ -92,7 +91,8 @@ VkPipelineColorBlendAttachmentState blendState(Blend blend) {
 
 std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipelineDesc& desc) {
   std::vector<VkPipelineColorBlendAttachmentState> states;
-  for (const ColorAttachment& color : desc.colors) states.push_back(blendState(color.blend));
+  for (const ColorAttachment& color : desc.colors)
+    states.push_back(desc.colorWrite ? blendState(color.blend) : VkPipelineColorBlendAttachmentState{});
   return states;
 }
 

@@ -8,6 +8,7 @@
 #include "gpu/shader_optimizer.h"
 #include "gpu/vk.h"
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -19,7 +20,6 @@ enum class Blend {
   None,
   Alpha,     ///< source over destination, colours not premultiplied; alpha becomes coverage
   Color,     ///< as Alpha, but the destination's alpha stays
-  Keep,      ///< the destination stays: nothing but depth is drawn
   Mean,      ///< the part of the source that vkCmdSetBlendConstants() says, the rest of the destination; the
              ///< larger alpha
   Through,   ///< the source, and of the destination the part that a second source says; alpha stays; needs
@@ -41,7 +41,7 @@ struct ColorAttachment {
   VkFormat format = VK_FORMAT_UNDEFINED;
   Blend blend = Blend::None;
 
-  friend bool operator==(const ColorAttachment&, const ColorAttachment&) = default;
+  friend auto operator<=>(const ColorAttachment&, const ColorAttachment&) = default;
 };
 
 /// For dynamic rendering. Viewport, scissor, cull mode, front face and depth bias are
@@ -62,6 +62,7 @@ struct GraphicsPipelineDesc {
   /// In the order of the fragment shader's outputs; none: fragments write buffers, or depth. Blends that
   /// differ need features().independentBlend; Or is of all or of none.
   std::vector<ColorAttachment> colors;
+  bool colorWrite = true;                      ///< off: all colours stay, and depth alone is drawn
   VkFormat depthFormat = VK_FORMAT_UNDEFINED;  ///< undefined: no depth buffer, and none of the next two
 
   /// Triangles are not cut where they are nearer than the near plane: their depth is clamped. Where

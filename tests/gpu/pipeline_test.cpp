@@ -229,6 +229,16 @@ TEST_F(PipelineTest, BlendsSourceOverDestination) {
       << "alpha is coverage";
 }
 
+TEST_F(PipelineTest, DrawsDepthAlone) {
+  GraphicsPipelineDesc desc = colorPipeline();
+  desc.colorWrite = false;
+  const GraphicsPipeline hiding(context(), desc), shown(context(), colorPipeline());
+  EXPECT_EQ(at(picture({{covering(kRed), &hiding}}), 8, 8), kBlack);
+  const auto image = picture({{lowerLeft(kRed), &hiding}, {covering(kGreen, 0.25f), &shown}});
+  EXPECT_EQ(at(image, 2, 12), kBlack) << "it is behind";
+  EXPECT_EQ(at(image, 12, 2), kGreen);
+}
+
 TEST_F(PipelineTest, PushesAndSpecializesConstants) {
   GraphicsPipelineDesc desc = colorPipeline();
   desc.specialization = {{0, std::bit_cast<std::uint32_t>(0.25f)}};

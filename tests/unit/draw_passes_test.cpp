@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The passes of every kind of frame, as names with what they begin with.
+// The passes of every kind of frame, as names with what they begin with, and how their colours join.
 #include "draw/passes.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -164,17 +165,16 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   list.groups[0].shadows.resize(3);
   EXPECT_EQ(namesOf({}), (Names{"found 0", "shadows 3", "shade 0"}));
   const RayPoints points;
-  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
-      << "what was found stays";
+  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shade 0"})) << "what was found stays";
   const RayPoints shadows{.shadows = {{{.place = Vec2f(7.5, 3.5)}}}};
-  EXPECT_EQ(namesOf({.rays = &shadows}), (Names{"rays+* 0", "shadows+* 0", "shade+ 0"}))
+  EXPECT_EQ(namesOf({.rays = &shadows}), (Names{"rays+* 0", "shadows of rays+* 0", "shade+ 0"}))
       << "so does the light, but in the pixels of rays";
   EXPECT_EQ(passesOf(list, {.rays = &shadows})[2].pixels.size(), 1U);
   const RayPoints missed{.misses = {{9, 3}}, .shadows = shadows.shadows};
-  EXPECT_EQ(namesOf({.rays = &missed}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
+  EXPECT_EQ(namesOf({.rays = &missed}), (Names{"rays+* 0", "shadows of rays+* 0", "shade 0"}))
       << "where a ray meets nothing there is no light";
   list.traces = true;
-  EXPECT_EQ(namesOf({.rays = &shadows}), (Names{"rays+* 0", "shadows+* 0", "shade 0"}))
+  EXPECT_EQ(namesOf({.rays = &shadows}), (Names{"rays+* 0", "shadows of rays+* 0", "shade 0"}))
       << "every shader asks anew";
   EXPECT_TRUE(passesOf(list, {.rays = &shadows})[2].pixels.empty());
   list.traces = false;
@@ -185,7 +185,7 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   EXPECT_EQ(namesOf({}), (Names{"found 0", "shadows 3", "shade 0", "shadows 2", "shade+ 0", "shade+ 0"}))
       << "light is added to light";
   EXPECT_EQ(namesOf({.rays = &points}),
-            (Names{"rays+* 0", "shadows* 3", "shade 0", "shadows* 2", "shade+ 0", "shade+ 0"}))
+            (Names{"rays+* 0", "shadows 3", "shade 0", "shadows 2", "shade+ 0", "shade+ 0"}))
       << "the shadows of the first group are gone";
   EXPECT_EQ(passesOf(list, {})[4].group, 1U);
 
@@ -194,6 +194,140 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   EXPECT_EQ(passes[1].reads, (std::vector{Target::Found, Target::Places}));
   EXPECT_TRUE(passes[1].searches) << "what it leaves open is told";
   EXPECT_EQ(passes[2].reads, (std::vector{Target::Found, Target::Shadows}));
+}
+
+/// How the colours of every pass join those that are there, one word for each of its targets.
+Names joined(const std::vector<Pass>& passes) {
+  const auto word = [](gpu::Blend blend) -> std::string {
+    switch (blend) {
+      case gpu::Blend::None:
+        return " none";
+      case gpu::Blend::Or:
+        return " or";
+      case gpu::Blend::Multiply:
+        return " multiply";
+      case gpu::Blend::Add:
+        return " add";
+      case gpu::Blend::Lighten:
+        return " lighten";
+      case gpu::Blend::Color:
+        return " color";
+      case gpu::Blend::Through:
+        return " through";
+      default:
+        return " other";
+    }
+  };
+  Names names;
+  for (const Pass& pass : passes) {
+    std::string& name = names.emplace_back(pass.name);
+    for (const Attachment& color : pass.colors) name += word(color.blend);
+  }
+  return names;
+}
+
+/// Two groups: light of one gets through its casters, and is compared with a depth map.
+DrawList listInShadow() {
+  DrawList list = deferredList();
+  list.findsParameters = true;
+  list.groups.resize(2);
+  for (LightGroup& group : list.groups) {
+    group.lights.resize(1);
+    group.shadows.resize(2);
+  }
+  list.groups[1].transmits = true;
+  list.groups[1].transmittances.resize(2);
+  list.groups[1].map.emplace();
+  return list;
+}
+
+TEST(Passes, ShadowsAreUnitedAndLightIsAdded) {
+  const DrawList list = listInShadow();
+  EXPECT_EQ(joined(passesOf(list, {})), (Names{"found none none", "shadows or", "shade none", "shadows or",
+                                               "light depths", "transmittance multiply", "shade add"}));
+  EXPECT_EQ(joined(passesOf(list, {.relights = true})), (Names{"shade none", "shade add"}));
+}
+
+/// They know nothing of the depth map, which they are compared with after that.
+TEST(Passes, ShadowsOfRaysReplaceWhatCastersLeave) {
+  const DrawList list = listInShadow();
+  const RayPoints points{.shadows = {{{.place = Vec2f(7.5, 3.5)}}, {{.place = Vec2f(7.5, 3.5)}}}};
+  const std::vector<Pass> passes = passesOf(list, {.rays = &points, .probes = true});
+  ASSERT_EQ(joined(passes),
+            (Names{"rays none none", "shadows or", "shadows of rays none", "shade none", "shadows or",
+                   "shadows of rays none", "light depths", "transmittance multiply",
+                   "transmittance of rays none", "light map multiply", "shade add"}));
+  for (const std::size_t ofRays : {2, 5, 8}) {
+    EXPECT_EQ(passes[ofRays].colors.front().begin, Begin::Keep);
+    EXPECT_EQ(passes[ofRays].group, ofRays == 2 ? 0U : 1U);
+    EXPECT_EQ(passes[ofRays].rays, &points);
+    EXPECT_FALSE(passes[ofRays].searches);
+  }
+  EXPECT_TRUE(passes[1].searches && passes[4].searches && passes[7].searches);
+  EXPECT_TRUE(passes[9].readsLightMap && !passes[7].readsLightMap);
+  EXPECT_EQ(passes[9].reads, (std::vector{Target::Found, Target::LightDepth}));
+  EXPECT_EQ(passes[9].colors.front().begin, Begin::Keep);
+  std::vector<std::size_t> probed;
+  for (std::size_t i = 0; i < passes.size(); ++i)
+    if (passes[i].probes) probed.push_back(i);
+  EXPECT_EQ(probed, (std::vector<std::size_t>{0, 2, 5, 9})) << "once each, of what is complete";
+
+  const RayPoints none;
+  EXPECT_EQ(joined(passesOf(list, {.rays = &none})),
+            (Names{"rays none none", "shadows or", "shade none", "shadows or", "light depths",
+                   "transmittance multiply", "shade add"}));
+  EXPECT_EQ(passesOf(list, {.rays = &none, .emptyPasses = true}).size(), passes.size());
+}
+
+/// A pass for each way in which light joins that of others.
+TEST(Passes, LightOnMeshesThatAreDrawnAgainJoinsThatOfOthers) {
+  DrawList list = deferredList();
+  list.groups.resize(2);
+  const auto again = [](Shading shading, bool addsLight) {
+    return DrawBatch{.state = {.shading = shading, .form = Form::Again, .addsLight = addsLight}};
+  };
+  list.groups[0].again = {again(Shading::Gouraud, false), again(Shading::Toon, false),
+                          again(Shading::Gouraud, true)};
+  list.groups[1].again = {again(Shading::Gouraud, true), again(Shading::Gouraud, true),
+                          again(Shading::Toon, true)};
+  const std::vector<Pass> passes = passesOf(list, {});
+  ASSERT_EQ(joined(passes), (Names{"found none", "shade none", "meshes again none", "meshes again add",
+                                   "shade add", "meshes again add", "meshes again lighten"}));
+  EXPECT_EQ(passes[2].batches.size(), 2U);
+  EXPECT_EQ(passes[3].batches.size(), 1U);
+  EXPECT_EQ(passes[5].batches.size(), 2U);
+  EXPECT_EQ(passes[6].batches.data(), &list.groups[1].again[2]);
+}
+
+TEST(Passes, WhatIsSeenThroughIsBlendedUnlessItIsOfTheGeometry) {
+  DrawList list = listOf(1, 0, 1);
+  list.groups.resize(1);
+  list.layers.found.resize(1);
+  list.layers.searches.resize(1);
+  EXPECT_EQ(joined(passesOf(list, {})),
+            (Names{"found none", "layers", "blend layers through", "transparent color"}));
+  list.layers.blend.output = list.transparent[0].state.output = Output::Depth;
+  EXPECT_EQ(joined(passesOf(list, {})),
+            (Names{"found none", "layers", "blend layers none", "transparent none"}));
+}
+
+TEST(Passes, PipelinesAreOfTheTargetsOfTheirPass) {
+  const PictureFormat picture{.color = VK_FORMAT_R16G16B16A16_SFLOAT, .samples = VK_SAMPLE_COUNT_4_BIT};
+  const std::vector<Pass> passes = passesOf(listInShadow(), {});
+  const auto formats = [&](std::size_t pass) { return formatOf(passes[pass], picture); };
+  EXPECT_EQ(formats(0).colors[0], (gpu::ColorAttachment{VK_FORMAT_R32G32B32A32_SFLOAT}));
+  EXPECT_EQ(formats(0).colors[1], (gpu::ColorAttachment{VK_FORMAT_R32G32_SFLOAT}));
+  EXPECT_EQ(formats(0).colors[2], gpu::ColorAttachment{});
+  EXPECT_EQ(formats(1).colors[0], (gpu::ColorAttachment{VK_FORMAT_R32_UINT, gpu::Blend::Or}));
+  EXPECT_EQ(formats(1).depth, picture.depth);
+  EXPECT_EQ(formats(4).colors[0], gpu::ColorAttachment{}) << "depths alone";
+  EXPECT_EQ(formats(4).depth, picture.depth);
+  EXPECT_EQ(formats(5).colors[0],
+            (gpu::ColorAttachment{VK_FORMAT_R32G32B32A32_SFLOAT, gpu::Blend::Multiply}));
+  EXPECT_EQ(formats(6).colors[0], (gpu::ColorAttachment{picture.color, gpu::Blend::Add}));
+  EXPECT_EQ(formats(6).samples, picture.samples);
+  EXPECT_EQ(formatOf(Pass{.depth = std::nullopt}, picture).depth, VK_FORMAT_UNDEFINED);
+  EXPECT_EQ(statesOf(passes[5]).size(), 3U) << "two casters, and the depth map";
 }
 
 /// What comes through casters, and through a depth map, is known before the light that asks for it.
@@ -251,12 +385,12 @@ TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
   EXPECT_EQ(namesOf({}), with({"found 0", "shadows 3", "shade 0", "layers 2 cleared", "layer shadows 1",
                                "layer shadows 1"}))
       << "each reads what the one before it has written";
-  EXPECT_EQ(namesOf({.rays = &points}), with({"rays* 0", "shadows* 0", "shade 0", "layers of rays* 0"}))
+  EXPECT_EQ(namesOf({.rays = &points}), with({"rays* 0", "shade 0", "layers of rays* 0"}))
       << "shadows stay, and come with what rays replace";
   list.groups.resize(2);
   list.groups[1].layerShades.resize(1);
   EXPECT_EQ(namesOf({.rays = &points}),
-            (Names{"rays* 0", "shadows* 3", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1",
+            (Names{"rays* 0", "shadows 3", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1",
                    "layer shadows 1", "shade layers 0", "shade layers 0", "light on layers of rays* 0",
                    "shade layers 0", "blend layers 0"}))
       << "a point holds the shadows of one group";
