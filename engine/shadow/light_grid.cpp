@@ -14,6 +14,8 @@ namespace {
 /// What floats of a fragment may make of a border between texels, in texels; and of one between faces.
 constexpr double kBorder = 1.0 / 16, kFaceBorder = 1e-4;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /// Orthonormal, z first given.
 Mat3 axesAlong(const Vec3& z) {
   const Vec3 away = std::abs(z.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
@@ -28,9 +30,34 @@ struct Spread {
   double nearest;
 };
 
+/// Between two parallel lines, in texels: low <= normal . place <= high. Everywhere, as it is made.
+struct Strip {
+  Vec2 normal{0};
+  double low = -kInfinity, high = kInfinity;
+};
+
+/// What is not in all of them misses a cell.
+using Outline = std::array<Strip, 4>;
+
 /// The quotients of [low, high] and [nearest, farthest], which is above 0.
 Interval over(double low, double high, double nearest, double farthest) {
   return {low / (low < 0 ? nearest : farthest), high / (high > 0 ? nearest : farthest)};
+}
+
+/// From where to where a row of texels may meet what is outlined.
+Interval columnsOf(const Outline& outline, int row) {
+  const double first = row - kBorder, last = row + 1 + kBorder;
+  Interval columns{-kInfinity, kInfinity};
+  for (const Strip& strip : outline) {
+    const double low = strip.low - std::max(strip.normal.y * first, strip.normal.y * last),
+                 high = strip.high - std::min(strip.normal.y * first, strip.normal.y * last),
+                 slope = strip.normal.x;
+    if (slope == 0 && (low > 0 || high < 0)) return {kInfinity, -kInfinity};
+    if (slope == 0) continue;
+    columns.lo = std::max(columns.lo, std::min(low / slope, high / slope) - kBorder);
+    columns.hi = std::min(columns.hi, std::max(low / slope, high / slope) + kBorder);
+  }
+  return columns;
 }
 
 class GridMaker {
@@ -83,9 +110,44 @@ class GridMaker {
     return Spread{index, glm::max(Vec2(x.lo, y.lo), -kEdge), glm::min(Vec2(x.hi, y.hi), kEdge), visible};
   }
 
+  /// By the edges of the parallelogram of tangents, which no point of the cell is farther from than `off`. A
+  /// line normal . place = c of the face is a plane through the light, upright on n = (normal, -c). Inside of
+  /// an edge's plane are points with n . p <= 0, so that points of the cell have n . p <= off |n|. One that
+  /// is at `place`, and `nearest` ahead or farther, has n . p >= nearest (normal . place - c) if that is
+  /// above 0.
+  [[nodiscard]] Outline outlineOf(const Spread& spread, const LightGrid::Face& face,
+                                  std::uint32_t number) const {
+    Outline outline;
+    const CasterCell& cell = caster_.cells[spread.cell];
+    if (!cell.proven() || (!parallel_ && spread.nearest <= 0)) return outline;
+    const int k = static_cast<int>(number / 2), kx = (k + 1) % 3, ky = (k + 2) % 3;
+    std::array<Vec2, 4> corners{Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1), Vec2(1, -1)};
+    for (Vec2& corner : corners) {
+      const Vec3 p = grid_.fromLight(cell.middle) + grid_.axes * (corner.x * cell.a + corner.y * cell.b);
+      const double ahead = parallel_ ? 1 : number % 2 == 0 ? p[k] : -p[k];
+      if (!parallel_ && ahead < 0.5 * spread.nearest) return outline;  // may be behind the light
+      corner = (Vec2(p[kx], p[ky]) / ahead - face.low) * face.texels;
+    }
+    const double offPerNearest = (cell.bend + margin_) / (parallel_ ? 1 : spread.nearest);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec2 along = corners[(i + 1) % 4] - corners[i], normal(-along.y, along.x);
+      Interval across{kInfinity, -kInfinity};
+      for (const Vec2& corner : corners) {
+        across.lo = std::min(across.lo, glm::dot(normal, corner));
+        across.hi = std::max(across.hi, glm::dot(normal, corner));
+      }
+      const Vec2 onFace = normal * face.texels;
+      const auto beyond = [&](double c) {
+        return offPerNearest * glm::length(Vec3(onFace, parallel_ ? 0 : c + glm::dot(onFace, face.low)));
+      };
+      outline[i] = {normal, across.lo - beyond(across.lo), across.hi + beyond(across.hi)};
+    }
+    return outline;
+  }
+
   void fill(std::uint32_t index) {
     std::vector<Spread> spreads;
-    Vec2 low(std::numeric_limits<double>::infinity()), high = -low;
+    Vec2 low(kInfinity), high = -low;
     for (std::uint32_t i = 0; i < caster_.cells.size(); ++i)
       if (const auto s = spread(i, index)) {
         spreads.push_back(*s);
@@ -99,34 +161,44 @@ class GridMaker {
     face.low = low;
     face.texels = static_cast<double>(grid_.size) / extent;
     face.first = static_cast<std::uint32_t>(grid_.starts.size());
-    list(face, spreads);
+    list(face, index, spreads);
   }
 
   /// Sorts entries into texels, in their order.
-  void list(const LightGrid::Face& face, std::span<const Spread> spreads) {
+  void list(const LightGrid::Face& face, std::uint32_t number, std::span<const Spread> spreads) {
     const int size = grid_.size;
-    const auto forTexels = [&](const Spread& s, const auto& action) {
+    std::vector<Outline> outlines(spreads.size());
+    std::ranges::transform(spreads, outlines.begin(),
+                           [&](const Spread& s) { return outlineOf(s, face, number); });
+    const auto forTexels = [&](std::size_t i, const auto& action) {
+      const Spread& s = spreads[i];
       const Vec2 from = (s.low - face.low) * face.texels - kBorder,
                  to = (s.high - face.low) * face.texels + kBorder;
       const auto texel = [size](double x) {
         return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0));
       };
-      for (int y = texel(from.y), endY = texel(to.y); y <= endY; ++y)
-        for (int x = texel(from.x), endX = texel(to.x); x <= endX; ++x)
+      for (int y = texel(from.y), endY = texel(to.y); y <= endY; ++y) {
+        const Interval outlined = columnsOf(outlines[i], y);
+        const double low = std::max(from.x, outlined.lo), high = std::min(to.x, outlined.hi);
+        if (low > high) continue;
+        for (int x = texel(low), endX = texel(high); x <= endX; ++x)
           action(static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x));
+      }
     };
     const std::size_t texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     std::vector<std::uint32_t> starts(texels + 1);
-    for (const Spread& s : spreads) forTexels(s, [&](std::size_t texel) { ++starts[texel + 1]; });
+    for (std::size_t i = 0; i < spreads.size(); ++i)
+      forTexels(i, [&](std::size_t texel) { ++starts[texel + 1]; });
     starts[0] = static_cast<std::uint32_t>(grid_.entries.size());
     entries_ += std::accumulate(starts.begin() + 1, starts.end(), std::uint64_t{0});
     if (entries_ > kMaxGridEntries) return;
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     grid_.entries.resize(starts.back());
     std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-    for (const Spread& s : spreads) {
-      const float nearest = std::nextafter(static_cast<float>(s.nearest), -std::numeric_limits<float>::max());
-      forTexels(s, [&](std::size_t texel) { grid_.entries[next[texel]++] = {s.cell, nearest}; });
+    for (std::size_t i = 0; i < spreads.size(); ++i) {
+      const float nearest =
+          std::nextafter(static_cast<float>(spreads[i].nearest), -std::numeric_limits<float>::max());
+      forTexels(i, [&](std::size_t texel) { grid_.entries[next[texel]++] = {spreads[i].cell, nearest}; });
     }
     grid_.starts.insert(grid_.starts.end(), starts.begin(), starts.end());
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light's small map of a caster: for every direction of light the cells that a ray in it may meet.
 //
-// Unlike a depth map it holds no samples: every texel lists all cells whose bounds reach into it, nearest
-// first, so that no caster is too thin for it, whatever its size. How many texels there are decides how long
-// the lists are, never what is in shadow.
+// Unlike a depth map it holds no samples: every texel lists all cells that may reach into it (by the boxes
+// around them, and the outlines of their tangents' parallelograms, grown by what they bend), nearest first,
+// so that no caster is too thin for it, whatever its size. How many texels there are decides how long the
+// lists are, never what is in shadow.
 //
 // Directions from a point light are on the six faces of a cube around it, turned so that the caster's middle
 // is straight ahead in the first; of a directional light there is one face, across its rays. A face has

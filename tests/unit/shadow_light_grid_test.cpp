@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 #include <span>
+#include <vector>
 
 #include "shadow/light_grid.h"
 #include "surface/catalogue.h"
@@ -101,6 +102,38 @@ TEST(LightGrid, HasNoTexelsWhereTheCasterIsNot) {
   for (std::size_t i = 0; i < std::size_t{64} * 64; ++i) empty += grid.starts[i] == grid.starts[i + 1];
   EXPECT_GT(empty, 64 * 64 / 10);
   EXPECT_LT(grid.entries.size(), 64U * 64 * 12);
+}
+
+/// A convex outline of area A, w wide and h high, in texels, is in A + w + h + 1 of them, on the average over
+/// where it is (by Steiner's formula). A box around it has up to twice the area.
+TEST(LightGrid, ListsACellWhereItsOutlineIs) {
+  const CasterCells caster = casterOf(rectangle(3, 2));
+  for (const Vec4& light : {Vec4(0.3, 1, 0.2, 0), Vec4(3, 9, 2, 1), Vec4(-7, 4, 5, 1)}) {
+    const bool parallel = light.w == 0;
+    const LightGrid grid = makeLightGrid(caster, light, 0, 256);
+    const LightGrid::Face& face = grid.faces[LightGrid::kFirstFace];
+    double expected = 0;
+    for (const CasterCell& cell : caster.cells) {
+      std::vector<Vec2> corners;
+      for (const Vec3& corner : {cell.a + cell.b, cell.b - cell.a, -cell.a - cell.b, cell.a - cell.b}) {
+        const Vec3 p = grid.fromLight(cell.middle + corner);
+        corners.push_back(Vec2(p) / (parallel ? 1 : p.z) * face.texels);
+      }
+      Vec2 low = corners[0], high = low;
+      double area = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2 &from = corners[i], &to = corners[(i + 1) % 4];
+        low = glm::min(low, from);
+        high = glm::max(high, from);
+        area += 0.5 * (from.x * to.y - from.y * to.x);
+      }
+      expected += std::abs(area) + high.x - low.x + high.y - low.y + 1;
+    }
+    // Borders are moved by a sixteenth of a texel, and cells of some twenty texels by what they bend:
+    // nothing.
+    EXPECT_LT(static_cast<double>(grid.entries.size()), 1.05 * expected);
+    EXPECT_GT(static_cast<double>(grid.entries.size()), 0.95 * expected);
+  }
 }
 
 TEST(LightGrid, HasFewerTexelsWhereThereWouldBeTooManyEntries) {
