@@ -56,8 +56,15 @@ uint addLayer(LayerPoint point) {
   if (layerCount.points > 0x80000000u) return 0;  // before it wraps
   uint index = atomicAdd(layerCount.points, 1) + 1;  // 0 ends a list
   if (index >= layerPoints.length()) return 0;
-  point.next = atomicExchange(layerHeads[layerPixel()], index);
-  layerPoints[index] = point;
+  // All but what light and LayerPlace tell first: a CPU device writes word by word.
+  layerPoints[index].next = atomicExchange(layerHeads[layerPixel()], index);
+  layerPoints[index].depth = point.depth;
+  layerPoints[index].off = point.off;
+  layerPoints[index].material = point.material;
+  layerPoints[index].shadows = point.shadows;
+  layerPoints[index].normal = point.normal;
+  layerPoints[index].parameters = point.parameters;
+  layerPoints[index].transmittance = point.transmittance;
   return index;
 }
 
