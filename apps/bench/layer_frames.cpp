@@ -2,6 +2,9 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+
 #include "benchmarks.h"
 #include "luxo_frames.h"
 #include "scene/scene_builder.h"
@@ -30,12 +33,21 @@ Scene sheets(int count, double opacity) {
                                "sheets"));
 }
 
-/// A further layer costs (ratio - 1) / 7 of the other frame.
-void manySheets(benchmark::State& state, gpu::Context& context, double opacity) {
+/// A named surface, which covers most of the picture.
+Scene alone(std::string_view type, double opacity) {
+  return buildScene(parseScene(fmt::format(R"_({{ "luxo": 1,
+      "materials": {{ "glass": {{ "diffuse": [0.8, 0.3, 0.2], "opacity": {} }} }},
+      "surfaces": {{ "it": {{ "type": "{}" }} }},
+      "nodes": [ {{ "surface": "it", "material": "glass" }},
+                 {{ "translate": [-3, 8, 3], "light": {{}} }} ] }})_",
+                                           opacity, type),
+                               "glass"));
+}
+
+void layers(benchmark::State& state, gpu::Context& context, const Scene& ofOurs, const Scene& ofTheirs) {
   const FrameDesc desc{
       .size = kSize, .options = {.shading = Shading::Exact, .skips = {.unchanged = false}}, .times = {0}};
-  const Scene many = sheets(kMany, 0.5), one = sheets(1, opacity);
-  LuxoFrames ours(context, many, desc), theirs(context, one, desc);
+  LuxoFrames ours(context, ofOurs, desc), theirs(context, ofTheirs, desc);
   sideBySide(
       state, [&](int) { ours.draw(0); }, [&](int) { theirs.draw(0); });
 }
@@ -43,15 +55,19 @@ void manySheets(benchmark::State& state, gpu::Context& context, double opacity) 
 }  // namespace
 
 void registerLayerFrames(gpu::Context& context) {
-  const auto add = [&](const char* name, double opacity) {
+  const auto add = [&](const std::string& name, const Scene& ours, const Scene& theirs) {
     benchmark::RegisterBenchmark(
-        name, [&context, opacity](benchmark::State& state) { manySheets(state, context, opacity); })
+        name.c_str(),
+        [&context, ours, theirs](benchmark::State& state) { layers(state, context, ours, theirs); })
         ->UseManualTime()
         ->Iterations(12)
         ->Unit(benchmark::kMillisecond);
   };
-  add("layers/8_over_1", 0.5);
-  add("layers/8_over_opaque", 1);
+  // A further layer costs (ratio - 1) / 7 of the other frame.
+  add("layers/8_over_1", sheets(kMany, 0.5), sheets(1, 0.5));
+  add("layers/8_over_opaque", sheets(kMany, 0.5), sheets(1, 1));
+  for (const char* type : {"torus", "klein", "teapot"})
+    add(fmt::format("layers/{}_over_opaque", type), alone(type, 0.5), alone(type, 1));
 }
 
 }  // namespace luxo::bench
