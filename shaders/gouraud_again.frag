@@ -7,6 +7,4 @@ layout(location = 0) out vec4 outColor;
 #include "lib/gouraud_again.glsl"
 #include "lib/again_found.glsl"
 
-layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
-
-void main() { lightBetweenVertices(vec4(inDiffuse, inOpacity), inParameterBounds); }
+void main() { lightBetweenVertices(vec4(inDiffuse, inOpacity)); }

@@ -5,6 +5,4 @@
 #include "lib/gouraud_again.glsl"
 #include "lib/again_layer.glsl"
 
-layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
-
-void main() { lightBetweenVertices(vec4(inDiffuse, inOpacity), inParameterBounds); }
+void main() { lightBetweenVertices(vec4(inDiffuse, inOpacity)); }

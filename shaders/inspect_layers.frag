@@ -7,8 +7,6 @@
 #include "lib/inspection.glsl"
 #include "lib/layer_order.glsl"
 
-layout(constant_id = kConstantQuantity) const uint kQuantity = kPosition;
-
 layout(location = 0) out vec4 outValue;
 
 uint certificateOf(uint material) {

@@ -16,6 +16,6 @@ vec4 patternBounds() { return inParameterBounds; }
 
 void main() {
   Found found = foundPoint();
-  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | layerOfTriangles(inNumbers.x),
-                      octahedral(found.normal), found.parameters));
+  setTriangle(addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | layerOfTriangles(inNumbers.x),
+                                  octahedral(found.normal), found.parameters)));
 }

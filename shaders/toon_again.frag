@@ -6,6 +6,4 @@
 #include "lib/toon.glsl"
 #include "lib/again_found.glsl"
 
-layout(location = kLocationParameterBounds) flat in vec4 inParameterBounds;
-
-void main() { drawAgain(vec4(foundMaterial().diffuse, foundOpacity()), inParameterBounds); }
+void main() { drawAgain(vec4(foundMaterial().diffuse, foundOpacity())); }

@@ -365,7 +365,8 @@ std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
 }
 
 TargetFormat formatOf(const Pass& pass, const PictureFormat& picture) {
-  TargetFormat format{.samples = picture.samples};
+  TargetFormat format{.samples =
+                          pass.depthTarget == Target::LightDepth ? VK_SAMPLE_COUNT_1_BIT : picture.samples};
   if (pass.depth) format.depth = formatOf(pass.depthTarget, picture);
   LUXO_REQUIRE_COMPARE(pass.colors.size(), <=, format.colors.size());
   for (std::size_t i = 0; i < pass.colors.size(); ++i)

@@ -209,7 +209,8 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
   }
 }
 
-void requireFeatures(const gpu::Features& features, const gpu::GraphicsPipelineDesc& desc) {
+void requireFeatures(const gpu::Features& features, const DrawState& state,
+                     const gpu::GraphicsPipelineDesc& desc) {
   if (desc.polygonMode == VK_POLYGON_MODE_LINE && !features.fillModeNonSolid)
     throw Error(ErrorKind::Device, "this device cannot draw wireframes (no fillModeNonSolid)",
                 "choose another shading or another --device");
@@ -219,6 +220,11 @@ void requireFeatures(const gpu::Features& features, const gpu::GraphicsPipelineD
   if (blendsBy(desc, gpu::Blend::Through) && !features.dualSrcBlend)
     throw Error(ErrorKind::Device, "this device cannot draw what is seen through (no dualSrcBlend)",
                 "choose another --device");
+  const bool layerOfTriangles =
+      state.form == Form::LayerAgain || (state.form == Form::Layer && !state.surface);
+  if (layerOfTriangles && !features.geometryShader)
+    throw Error(ErrorKind::Device, "this device cannot draw meshes that are seen through (no geometryShader)",
+                "choose another --device, or exact shading");
 }
 
 }  // namespace
@@ -301,7 +307,7 @@ gpu::GraphicsPipelineDesc ScenePipelines::describe(const Wanted& wanted) {
     if (color.format != VK_FORMAT_UNDEFINED) desc.colors.push_back(color);
   setVertices(state, desc);
   setFragments(state, desc);
-  requireFeatures(context_->features(), desc);
+  requireFeatures(context_->features(), state, desc);
   return desc;
 }
 

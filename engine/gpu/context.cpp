@@ -41,6 +41,7 @@ Features featuresOf(const Adapter& adapter) {
           .float64 = supported.shaderFloat64 == VK_TRUE,
           .dualSrcBlend = supported.dualSrcBlend == VK_TRUE,
           .logicOp = supported.logicOp == VK_TRUE,
+          .geometryShader = supported.geometryShader == VK_TRUE,
           .timestamps = hasTimestamps(adapter)};
 }
 
@@ -123,6 +124,7 @@ void Context::createDevice(bool presents) {
   const VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
                                            .pNext = &features12,
                                            .features = {.independentBlend = features_.independentBlend,
+                                                        .geometryShader = features_.geometryShader,
                                                         .sampleRateShading = VK_TRUE,
                                                         .dualSrcBlend = features_.dualSrcBlend,
                                                         .logicOp = features_.logicOp,

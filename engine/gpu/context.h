@@ -45,6 +45,7 @@ struct Features {
   bool float64 = false;           ///< shaders compute in double
   bool dualSrcBlend = false;      ///< Blend::Through
   bool logicOp = false;           ///< Blend::Or
+  bool geometryShader = false;    ///< fragments know the number of their triangle
   bool timestamps = false;        ///< FrameRing measures device time
 };
 

@@ -167,9 +167,10 @@ class GridMaker {
   /// Sorts entries into texels, in their order.
   void list(const LightGrid::Face& face, std::uint32_t number, std::span<const Spread> spreads) {
     const int size = grid_.size;
-    std::vector<Outline> outlines(spreads.size());
-    std::ranges::transform(spreads, outlines.begin(),
-                           [&](const Spread& s) { return outlineOf(s, face, number); });
+    const auto outlined = [&](const Spread& s) { return caster_.cells[s.cell].proven(); };
+    std::vector<Outline> outlines;  // none of triangles
+    if (std::ranges::any_of(spreads, outlined))
+      for (const Spread& s : spreads) outlines.push_back(outlineOf(s, face, number));
     const auto forTexels = [&](std::size_t i, const auto& action) {
       const Spread& s = spreads[i];
       const Vec2 from = (s.low - face.low) * face.texels - kBorder,
@@ -178,8 +179,8 @@ class GridMaker {
         return static_cast<int>(std::clamp(std::floor(x), 0.0, size - 1.0));
       };
       for (int y = texel(from.y), endY = texel(to.y); y <= endY; ++y) {
-        const Interval outlined = columnsOf(outlines[i], y);
-        const double low = std::max(from.x, outlined.lo), high = std::min(to.x, outlined.hi);
+        const Interval columns = outlines.empty() ? Interval{from.x, to.x} : columnsOf(outlines[i], y);
+        const double low = std::max(from.x, columns.lo), high = std::min(to.x, columns.hi);
         if (low > high) continue;
         for (int x = texel(low), endX = texel(high); x <= endX; ++x)
           action(static_cast<std::size_t>(y) * static_cast<std::size_t>(size) + static_cast<std::size_t>(x));

@@ -18,7 +18,7 @@ struct DrawnPoint {
 DrawnPoint point;
 
 // Whether the fragment's own point is there, which is `point` then.
-bool findPoint(uint material, vec2 parameters, vec4 bounds);
+bool findPoint(uint material);
 
 // What it reflects; its diffuse colour, and its opacity.
 void lightPoint(vec3 light, vec4 paint);

@@ -10,7 +10,7 @@ layout(set = kSetFound, binding = kBindingShadows) uniform usampler2D shadowsOfL
 layout(set = kSetFound, binding = kBindingTransmittance) uniform sampler2D transmittances;
 
 // By the depth test it is as near; but two nodes may be.
-bool findPoint(uint material, vec2 parameters, vec4 bounds) {
+bool findPoint(uint material) {
   vec4 texel = texelFetch(foundTexels, ivec2(gl_FragCoord.xy), 0);
   point = DrawnPoint(pixelPlace() + texel.x * pixelRay(), fromOctahedral(texel.yz),
                      texelFetch(shadowsOfLights, ivec2(gl_FragCoord.xy), 0).x,

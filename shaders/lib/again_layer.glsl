@@ -14,15 +14,16 @@ bool isLastOfGroup();
 
 uint ownPoint;
 
-// Every fragment has put down one, of parameters of its own.
-bool findPoint(uint material, vec2 parameters, vec4 bounds) {
-  float nearest = 3e38;
+// Every fragment has put down one. A mesh of many vertices is several draws, each with triangles of the same numbers: of
+// these the depths differ.
+bool findPoint(uint material) {
+  float depth = layerDepth(gl_FragCoord.z, pixelPlace(), pixelRay()), nearest = 3e38;
   ownPoint = 0;
   for (uint index = layerHeads[layerPixel()]; index != 0; index = layerPoints[index].next) {
     if ((layerPoints[index].material & (kLayerMaterial | kLayerOfMesh)) != (material | kLayerOfMesh)) continue;
-    vec2 off = abs(layerPoints[index].parameters - parameters) / max(bounds.zw - bounds.xy, vec2(1e-37));
-    if (off.x + off.y >= nearest) continue;
-    nearest = off.x + off.y;
+    float off = abs(layerPoints[index].depth - depth);
+    if (layerPoints[index].triangle != uint(gl_PrimitiveID) || off >= nearest) continue;
+    nearest = off;
     ownPoint = index;
   }
   if (ownPoint == 0) return false;

@@ -15,7 +15,7 @@ vec4 patternBounds() { return inParameterBounds; }
 void addFramedLayer() {
   Found found = foundPoint();
   vec2 parameters = clamp(found.parameters, inParameterBounds.xy, inParameterBounds.zw);
-  addLayer(unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | layerOfTriangles(inNumbers.x),
-                      octahedral(found.normal), parameters),
-           LayerDetail(pixelFootprint(), normalFrame()));
+  LayerPoint point = unlitPoint(dot(found.position, view.forward.xyz), 0.0, inNumbers.y | layerOfTriangles(inNumbers.x),
+                                octahedral(found.normal), parameters);
+  setTriangle(addLayer(point, LayerDetail(pixelFootprint(), normalFrame())));
 }

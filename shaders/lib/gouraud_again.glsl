@@ -59,7 +59,7 @@ vec3 interpolatedLight(vec3 diffuse) {
   return sum;
 }
 
-void lightBetweenVertices(vec4 paint, vec4 bounds) {
-  if (!findPoint(inNumbers.y, clamp(inParameters, bounds.xy, bounds.zw), bounds)) discard;
+void lightBetweenVertices(vec4 paint) {
+  if (!findPoint(inNumbers.y)) discard;
   lightPoint(interpolatedLight(paint.rgb), paint);
 }

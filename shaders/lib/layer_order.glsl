@@ -4,6 +4,7 @@
 #include "lib/layers.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/one_point.glsl"
+#include "lib/quantity.glsl"
 
 layout(constant_id = kConstantGivenOrder) const bool kGivenOrder = false;
 
@@ -24,10 +25,12 @@ LayerKey keyOf(uint index) {
 bool isBefore(LayerKey a, LayerKey b) {
   if (a.node != b.node) return a.node > b.node;
   if (a.depth != b.depth) return a.depth < b.depth;
-  vec3 lightA = layerPoints[a.index].light, lightB = layerPoints[b.index].light;
-  if (lightA != lightB) return isLess(lightA, lightB);
-  vec3 throughA = layerPoints[a.index].through, throughB = layerPoints[b.index].through;
-  if (throughA != throughB) return isLess(throughA, throughB);
+  if (kQuantity != kCertificate) {  // for that they are not lit
+    vec3 lightA = layerPoints[a.index].light, lightB = layerPoints[b.index].light;
+    if (lightA != lightB) return isLess(lightA, lightB);
+    vec3 throughA = layerPoints[a.index].through, throughB = layerPoints[b.index].through;
+    if (throughA != throughB) return isLess(throughA, throughB);
+  }
   return (layerPoints[a.index].material & kLayerMaterial) < (layerPoints[b.index].material & kLayerMaterial);
 }
 

@@ -56,7 +56,7 @@ uint addLayer(LayerPoint point) {
   if (layerCount.points > 0x80000000u) return 0;  // before it wraps
   uint index = atomicAdd(layerCount.points, 1) + 1;  // 0 ends a list
   if (index >= layerPoints.length()) return 0;
-  // All but what light and LayerPlace tell first: a CPU device writes word by word.
+  // All but what others tell before anyone asks: a CPU device writes word by word.
   layerPoints[index].next = atomicExchange(layerHeads[layerPixel()], index);
   layerPoints[index].depth = point.depth;
   layerPoints[index].off = point.off;
@@ -69,15 +69,23 @@ uint addLayer(LayerPoint point) {
 }
 
 // With kLayerDetails: there is room for as many.
-void addLayer(LayerPoint point, LayerDetail detail) {
+uint addLayer(LayerPoint point, LayerDetail detail) {
   uint index = addLayer(point);
   if (index != 0) layerDetails[index] = detail;
+  return index;
 }
 
 // A point that is to be lit.
 LayerPoint unlitPoint(float depth, float off, uint material, vec2 normal, vec2 parameters) {
-  return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1), vec3(0), 0);
+  return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1), vec3(0), 0, 0);
 }
+
+#ifdef LUXO_FINDS_LAYER
+// By that whoever draws the triangle again finds its point, which is none without room.
+void setTriangle(uint index) {
+  if (index != 0) layerPoints[index].triangle = uint(gl_PrimitiveID);
+}
+#endif
 
 // Of points that triangles put down, by the flags of their instance.
 uint layerOfTriangles(uint flags) { return kLayerOfMesh | ((flags & kIsSurface) != 0 ? kLayerOfSurface : 0); }

@@ -84,8 +84,8 @@ vec3 drawn(vec3 color) {
 vec3 together(vec3 light, vec3 more) { return max(light, more); }
 bool isLastOfGroup() { return true; }
 
-void drawAgain(vec4 paint, vec4 bounds) {
-  bool isThere = findPoint(inNumbers.y, clamp(inDetail.xy, bounds.xy, bounds.zw), bounds);
+void drawAgain(vec4 paint) {
+  bool isThere = findPoint(inNumbers.y);
   vec3 color = drawn(paint.rgb);  // before any fragment ends: it asks for derivatives
   if (!isThere) discard;
   lightPoint(color, paint);

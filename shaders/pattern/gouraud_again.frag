@@ -15,5 +15,5 @@ vec4 pixelFootprint() { return vec4(dFdx(inParameters), dFdy(inParameters)); }
 
 void main() {
   vec4 paint = paintAt(inParameters);
-  lightBetweenVertices(vec4(paint.rgb, inOpacity * paint.a), inParameterBounds);
+  lightBetweenVertices(vec4(paint.rgb, inOpacity * paint.a));
 }

@@ -17,5 +17,5 @@ vec4 pixelFootprint() { return footprintOnTriangle(inPosition, inDetail.xy); }
 
 void main() {
   vec4 paint = paintAt(inDetail.xy);
-  drawAgain(vec4(paint.rgb, foundOpacity() * paint.a), inParameterBounds);
+  drawAgain(vec4(paint.rgb, foundOpacity() * paint.a));
 }

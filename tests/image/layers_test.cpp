@@ -428,6 +428,71 @@ TEST_F(LayersTest, MeshesShowTheSameLayers) {
   EXPECT_LT(different, 120);
 }
 
+/// A cube, each of whose triangles is there so many times; with parameters, unless they are all 0.
+TriangleMesh cubeOfLayers(std::uint32_t times, bool parameters) {
+  const TriangleMesh cube = cubeMesh();
+  MeshArrays arrays;
+  for (std::uint32_t i = 0; i < times; ++i)
+    for (const std::uint32_t corner : cube.indices()) {
+      const auto number = static_cast<std::uint32_t>(arrays.positions.size());
+      arrays.positions.push_back(cube.point(corner));
+      arrays.uvs.emplace_back(parameters ? Vec2f(static_cast<float>(number), static_cast<float>(number % 3))
+                                         : Vec2f(0));
+      arrays.indices.push_back(number);
+    }
+  return triangleMesh(std::move(arrays), "cube of layers", {.normals = NormalRule::Flat});
+}
+
+Scene withCube(const TriangleMesh& mesh, const std::vector<Light>& lights) {
+  Scene scene;
+  scene.set(RenderSettings{.background = Vec3(0.1, 0.2, 0.4), .ambient = Vec3(0.5)});
+  const MaterialId glass = scene.add(Material{.diffuse = Vec3(0.8, 0.4, 0.2), .opacity = 0.5});
+  scene.add(Node{.rotation = Rotation{{0.3, 1, 0}, 0.6}, .surface = mesh, .material = glass});
+  double x = -4;
+  for (const Light& light : lights) scene.add(Node{.translation = Vec3(x += 2, 5, 4), .light = light});
+  scene.add(Camera{.eye = Vec3(0, 1, 6)});
+  return scene;
+}
+
+/// Of triangles that are drawn again to be lit no point goes without, whatever else is in its pixel: not even
+/// where parameters, and depths, do not tell them apart. In ambient light alone all look alike.
+TEST_F(LayersTest, EveryPointOfTrianglesThatAreDrawnAgainIsLit) {
+  for (const std::uint32_t times : {1U, 2U})
+    for (const bool parameters : {true, false}) {
+      const Image image =
+          draw(withCube(cubeOfLayers(times, parameters), {}), kLayersSize, {.shading = Shading::Gouraud})
+              .image;
+      const Vec3 background(0.1, 0.2, 0.4), light = 0.5 * Vec3(0.8, 0.4, 0.2);
+      const double through = std::pow(0.5, 2 * times);
+      int covered = 0;
+      for (int y = 0; y < kLayersSize.height; ++y)
+        for (int x = 0; x < kLayersSize.width; ++x) {
+          const Vec3 color = colorAt(image, x, y);
+          if (near(color, background, 1e-6)) continue;
+          ++covered;
+          ASSERT_TRUE(near(color, (1 - through) * light + through * background, 1e-6)) << x << ", " << y;
+        }
+      EXPECT_GT(covered, 5000);
+    }
+}
+
+/// Which points there are does not depend on parameters that nothing asks for; in many lights, too, some of
+/// which a shadow keeps, and at many samples.
+TEST_F(LayersTest, ParametersDoNotMatterToTrianglesThatAreDrawnAgain) {
+  const Light plain{.intensity = 0.4}, exact{.intensity = 0.4, .shadow = Light::Shadow::Exact};
+  for (const Shading shading : {Shading::Gouraud, Shading::Toon})
+    for (const auto& lights : {std::vector<Light>{plain, plain},
+                               {exact, plain, exact},
+                               {plain, exact, plain, plain, exact, plain, plain, exact, plain, plain}})
+      for (const int samples : {1, 4}) {
+        const DrawOptions options{.shading = shading, .samples = samples};
+        const Image told = draw(withCube(cubeOfLayers(1, true), lights), kLayersSize, options).image,
+                    untold = draw(withCube(cubeOfLayers(1, false), lights), kLayersSize, options).image;
+        EXPECT_TRUE(sameBytes(told, untold))
+            << nameOf(shading) << ", " << lights.size() << " lights, " << samples << " samples";
+      }
+}
+
 TEST_F(LayersTest, ShadowsFallOnEveryLayer) {
   const Scene scene =
       sceneOf(node("ball", "checks",
