@@ -110,8 +110,8 @@ const gpu::DescriptorLayout& SceneLayouts::get(SceneSet set) {
   return layout;
 }
 
-std::vector<VkDescriptorSetLayout> SceneLayouts::of(const DrawState& state) {
-  std::vector<VkDescriptorSetLayout> layouts;
+gpu::SetLayouts SceneLayouts::of(const DrawState& state) {
+  gpu::SetLayouts layouts;
   for (const SceneSet set : setsOf(state)) layouts.push_back(get(set));
   return layouts;
 }

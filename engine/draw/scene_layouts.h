@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "draw/draw_state.h"
 #include "gpu/descriptor.h"
@@ -31,7 +30,7 @@ class SceneLayouts {
   /// Made when first asked for.
   [[nodiscard]] const gpu::DescriptorLayout& get(SceneSet set);
   /// Of the sets of a draw, in the order of their numbers.
-  [[nodiscard]] std::vector<VkDescriptorSetLayout> of(const DrawState& state);
+  [[nodiscard]] gpu::SetLayouts of(const DrawState& state);
 
  private:
   gpu::Context* context_;

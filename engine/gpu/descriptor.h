@@ -8,6 +8,7 @@
 #include "gpu/texture.h"
 #include "gpu/vk.h"
 
+#include <functional>
 #include <initializer_list>
 #include <vector>
 
@@ -31,6 +32,9 @@ class DescriptorLayout {
   std::vector<DescriptorBinding> bindings_;
   Handle<VkDescriptorSetLayout> layout_;
 };
+
+/// Of the sets of a pipeline, in the order of their numbers.
+using SetLayouts = std::vector<std::reference_wrapper<const DescriptorLayout>>;
 
 /// What one binding refers to: a whole buffer, a part of one (`range` bytes at `offset`; for a dynamic
 /// offset, the bytes seen from that offset), a buffer's texels, or a texture with its sampler.

@@ -7,6 +7,7 @@
 #include "gpu/debug.h"
 #include "gpu/result.h"
 #include "gpu/shader_reflection.h"
+#include "gpu/stage_resources.h"
 #include "gpu/vertex_input.h"
 
 #include <fmt/format.h>
@@ -96,27 +97,49 @@ std::vector<VkPipelineColorBlendAttachmentState> blendStates(const GraphicsPipel
   return states;
 }
 
-/// What the shaders of a pipeline ask for.
+std::vector<std::span<const DescriptorBinding>> bindingsOf(const SetLayouts& layouts) {
+  std::vector<std::span<const DescriptorBinding>> bindings;
+  for (const DescriptorLayout& layout : layouts) bindings.emplace_back(layout.bindings());
+  return bindings;
+}
+
+/// What the shaders of a pipeline ask for, beside what they must be given.
 struct Asked {
   std::vector<StageInput> inputs;
   std::uint32_t pushConstantBytes = 0;
 };
 
 Asked askedBy(const GraphicsPipelineDesc& desc) {
+  const StageResources ofVertices = stageResources(desc.vertexShader),
+                       ofFragments = stageResources(desc.fragmentShader);
+  GivenResources given{desc.name, VK_SHADER_STAGE_VERTEX_BIT, bindingsOf(desc.setLayouts),
+                       desc.specialization};
+  requireAllGiven(given, ofVertices);
+  given.stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+  requireAllGiven(given, ofFragments);
   StageInterface vertex = stageInterface(desc.vertexShader);
   const std::uint32_t ofFragment =
-      hasPushConstants(desc.fragmentShader) ? stageInterface(desc.fragmentShader).pushConstantBytes : 0;
+      ofFragments.pushConstants ? stageInterface(desc.fragmentShader).pushConstantBytes : 0;
   return {std::move(vertex.inputs), std::max(vertex.pushConstantBytes, ofFragment)};
+}
+
+/// Bytes of push constants.
+std::uint32_t askedBy(const ComputePipelineDesc& desc) {
+  requireAllGiven({desc.name, VK_SHADER_STAGE_COMPUTE_BIT, bindingsOf(desc.setLayouts), {}},
+                  stageResources(desc.shader));
+  return stageInterface(desc.shader).pushConstantBytes;
 }
 
 /// Of either kind of pipeline.
 template <class Desc>
 Handle<VkPipelineLayout> createLayout(Context& context, const Desc& desc, std::uint32_t pushConstantBytes,
                                       VkShaderStageFlags stages) {
+  std::vector<VkDescriptorSetLayout> sets;
+  for (const DescriptorLayout& set : desc.setLayouts) sets.push_back(set);
   const VkPushConstantRange constants{.stageFlags = stages, .size = pushConstantBytes};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                        .setLayoutCount = count(desc.setLayouts),
-                                        .pSetLayouts = desc.setLayouts.data(),
+                                        .setLayoutCount = count(sets),
+                                        .pSetLayouts = sets.data(),
                                         .pushConstantRangeCount = pushConstantBytes > 0 ? 1u : 0u,
                                         .pPushConstantRanges = &constants};
   VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -306,7 +329,7 @@ void GraphicsPipeline::bindSet(VkCommandBuffer commands, std::uint32_t index, Vk
 }
 
 ComputePipeline::ComputePipeline(Context& context, const ComputePipelineDesc& desc)
-    : pushConstantBytes_(stageInterface(desc.shader).pushConstantBytes),
+    : pushConstantBytes_(askedBy(desc)),
       layout_(createLayout(context, desc, pushConstantBytes_, VK_SHADER_STAGE_COMPUTE_BIT)) {
   const ShaderModule shader(context.device(), desc.shader, desc.name);
   const VkComputePipelineCreateInfo info{

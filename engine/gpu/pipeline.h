@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Graphics and compute pipelines as data: everything has a default, one struct overrides it; and what shaders
-// say themselves (attributes, push constants) is read from them.
+// say themselves (attributes, push constants, what they must be given) is read from them.
 #pragma once
 
 #include "gpu/descriptor.h"
@@ -71,9 +71,10 @@ struct GraphicsPipelineDesc {
   bool depthWrite = true;
   VkCompareOp depthCompare = VK_COMPARE_OP_GREATER;  ///< reversed depth: nearer is greater, cleared to 0
 
-  /// Of both stages; one that a shader does not have is left out of it.
+  /// Of both stages; one that a shader does not have is left out of it. There must be one for all that either
+  /// declares.
   std::vector<SpecializationConstant> specialization;
-  std::vector<VkDescriptorSetLayout> setLayouts;
+  SetLayouts setLayouts;  ///< with all descriptors that either stage uses (gpu/stage_resources.h)
 };
 
 /// Whether some attachment does.
@@ -109,8 +110,8 @@ class GraphicsPipeline {
 
 struct ComputePipelineDesc {
   std::string_view name;
-  std::span<const std::uint32_t> shader;  ///< SPIR-V, entry `main`
-  std::vector<VkDescriptorSetLayout> setLayouts;
+  std::span<const std::uint32_t> shader;  ///< SPIR-V, entry `main`, without specialization constants
+  SetLayouts setLayouts;                  ///< with all descriptors that it uses
 };
 
 class ComputePipeline {

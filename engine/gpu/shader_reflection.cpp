@@ -5,7 +5,6 @@
 #include <spirv_cross/spirv_cross.hpp>
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <set>
 #include <string_view>
@@ -74,12 +73,6 @@ std::string imageOf(const SPIRType& type) {
                      dimension < std::size(kDimensions) ? kDimensions[dimension] : "",
                      type.image.ms ? "MS" : "", type.image.arrayed ? "Array" : "",
                      type.image.depth ? "Shadow" : "");
-}
-
-std::string textAt(std::span<const std::uint32_t> words, std::size_t first) {
-  if (first >= words.size()) return {};
-  const auto* text = reinterpret_cast<const char*>(&words[first]);
-  return {text, strnlen(text, 4 * (words.size() - first))};
 }
 
 /// Of a capability that plain GLSL has no need of; empty: it has.
@@ -480,15 +473,6 @@ ShaderInterface reflect(std::span<const std::uint32_t> spirv) {
                     instructions, kMaxShaderInstructions),
         "call functions in a loop instead of one by one");
   return ofSpirv(spirv, [](std::span<const std::uint32_t> words) { return Reflection(words).interface(); });
-}
-
-bool hasPushConstants(std::span<const std::uint32_t> spirv) {
-  bool has = false;
-  forEachInstruction(spirv, [&](const Instruction& i) {
-    has |=
-        i.operation == spv::OpVariable && i.words.size() > 3 && i.words[3] == spv::StorageClassPushConstant;
-  });
-  return has;
 }
 
 StageInterface stageInterface(std::span<const std::uint32_t> spirv) {

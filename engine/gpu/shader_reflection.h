@@ -81,7 +81,4 @@ struct StageInterface {
 /// Cost: some 6 us for each KB. Error(Scene) as above.
 [[nodiscard]] StageInterface stageInterface(std::span<const std::uint32_t> spirv);
 
-/// Cost: a hundredth of that.
-[[nodiscard]] bool hasPushConstants(std::span<const std::uint32_t> spirv);
-
 }  // namespace luxo::gpu

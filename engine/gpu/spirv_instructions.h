@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <string_view>
 
 namespace luxo::gpu {
 
@@ -24,6 +26,13 @@ void forEachInstruction(std::span<const std::uint32_t> spirv, const Action& acti
     action(Instruction{spirv[at] & 0xffff, spirv.subspan(at, length)});
     at += length;
   }
+}
+
+/// The text that begins with words[first], as long as these words are there.
+inline std::string_view textAt(std::span<const std::uint32_t> words, std::size_t first) {
+  if (first >= words.size()) return {};
+  const auto* text = reinterpret_cast<const char*>(&words[first]);
+  return {text, strnlen(text, 4 * (words.size() - first))};
 }
 
 }  // namespace luxo::gpu

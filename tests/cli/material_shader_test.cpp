@@ -178,6 +178,8 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
   expectError("float x = " + std::string(20000, '(') + "1.0" + std::string(20000, ')') + ";\n", "m.frag:1:");
   expectError("uniform B { float x; } b;\nvec4 material(Point p) { return vec4(b.x); }\n",
               "the block 'B' has no values");
+  expectError("layout(constant_id = 3) const float k = 1.0;\nvec4 material(Point p) { return vec4(k); }\n",
+              "m.frag:1:37: 'k' is a specialization constant");
   expectError("vec4 material(Point p) { gl_FragDepth = 0.5; return vec4(1); }\n",
               "'gl_FragDepth' is an input or output");
 }

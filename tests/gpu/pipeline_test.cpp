@@ -5,6 +5,7 @@
 #include "gpu/barrier.h"
 #include "gpu/debug.h"
 #include "gpu/frame.h"
+#include "gpu/shader_compiler.h"
 #include "gpu/transfer.h"
 #include "support/gpu_fixture.h"
 
@@ -55,7 +56,8 @@ GraphicsPipelineDesc colorPipeline() {
                           .format = VK_FORMAT_R32G32B32A32_SFLOAT,
                           .offset = offsetof(Vertex, color)}},
           .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}},
-          .depthFormat = VK_FORMAT_D32_SFLOAT};
+          .depthFormat = VK_FORMAT_D32_SFLOAT,
+          .specialization = {{0, 0}, {1, 0}}};
 }
 
 class PipelineTest : public test::GpuTest {
@@ -144,6 +146,8 @@ class PipelineTest : public test::GpuTest {
     return image[y * kTargetExtent.width + x];
   }
 };
+
+using PipelineDeathTest = PipelineTest;
 
 TEST_F(PipelineTest, YPointsUpAndRowsStartAtTheTop) {
   const GraphicsPipeline pipeline(context(), colorPipeline());
@@ -241,7 +245,7 @@ TEST_F(PipelineTest, DrawsDepthAlone) {
 
 TEST_F(PipelineTest, PushesAndSpecializesConstants) {
   GraphicsPipelineDesc desc = colorPipeline();
-  desc.specialization = {{0, std::bit_cast<std::uint32_t>(0.25f)}};
+  desc.specialization[0].bits = std::bit_cast<std::uint32_t>(0.25f);
   const GraphicsPipeline pipeline(context(), desc);
   const auto image =
       picture({{.vertices = covering({1, 2, 3, 4}), .pipeline = &pipeline, .tint = {2, 0.5f, -1, 0}}});
@@ -308,7 +312,7 @@ TEST_F(PipelineTest, BlendsEachAttachmentByItself) {
   GraphicsPipelineDesc desc = colorPipeline();
   desc.colors = {{VK_FORMAT_R32G32B32A32_SFLOAT, Blend::Alpha}, {VK_FORMAT_R32_UINT}};
   desc.depthFormat = VK_FORMAT_UNDEFINED;
-  desc.specialization = {{0, 0}, {1, 4'000'000'001u}};
+  desc.specialization[1].bits = 4'000'000'001u;
   const GraphicsPipeline pipeline(context(), desc);
   FrameRing frames(context());
   Texture color = colorTarget();
@@ -404,6 +408,30 @@ TEST_F(PipelineTest, ShadersSeeTheirDescriptors) {
   std::uint32_t pixelsDrawn = 0;
   std::memcpy(&pixelsDrawn, count.read().data(), sizeof(pixelsDrawn));
   EXPECT_EQ(pixelsDrawn, kTargetExtent.width * kTargetExtent.height);
+}
+
+// What dies is another process, as drivers have threads.
+TEST_F(PipelineDeathTest, IsGivenAllThatItsShadersRead) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  GraphicsPipelineDesc desc = colorPipeline();
+  desc.specialization.pop_back();
+  EXPECT_DEATH(GraphicsPipeline(context(), desc), "constant 1 in the fragment shader of \"color\": nothing");
+  desc = {.name = "descriptors",
+          .vertexShader = luxo_test_descriptors_vert,
+          .fragmentShader = luxo_test_descriptors_frag,
+          .colors = {{VK_FORMAT_R32G32B32A32_SFLOAT}}};
+  EXPECT_DEATH(GraphicsPipeline(context(), desc),
+               "set 0, binding . in the fragment shader of \"descriptors\": nothing");
+  const std::vector<std::uint32_t> compute =
+      ShaderCompiler("")
+          .compile({.source = {"a.comp",
+                               "#version 460\nlayout(set = 0, binding = 0) buffer Count { uint count; };\n"
+                               "void main() { count = 1; }\n"},
+                    .stage = ShaderStage::Compute})
+          .spirv;
+  const DescriptorLayout layout(context(), {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER}});
+  EXPECT_DEATH(ComputePipeline(context(), {.name = "count", .shader = compute, .setLayouts = {layout}}),
+               "set 0, binding 0 in the compute shader of \"count\": storage buffer of other stages");
 }
 
 TEST_F(PipelineTest, DescriptorSetsAreWithoutLimit) {
