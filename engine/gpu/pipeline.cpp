@@ -116,6 +116,7 @@ Asked askedBy(const GraphicsPipelineDesc& desc) {
                        desc.specialization};
   requireAllGiven(given, ofVertices);
   given.stage = VK_SHADER_STAGE_FRAGMENT_BIT;
+  given.written = desc.colorWrite ? desc.colors.size() : 0;
   requireAllGiven(given, ofFragments);
   StageInterface vertex = stageInterface(desc.vertexShader);
   const std::uint32_t ofFragment =
@@ -125,7 +126,7 @@ Asked askedBy(const GraphicsPipelineDesc& desc) {
 
 /// Bytes of push constants.
 std::uint32_t askedBy(const ComputePipelineDesc& desc) {
-  requireAllGiven({desc.name, VK_SHADER_STAGE_COMPUTE_BIT, bindingsOf(desc.setLayouts), {}},
+  requireAllGiven({desc.name, VK_SHADER_STAGE_COMPUTE_BIT, bindingsOf(desc.setLayouts), {}, 0},
                   stageResources(desc.shader));
   return stageInterface(desc.shader).pushConstantBytes;
 }

@@ -23,6 +23,7 @@ class ResourceReader {
     forEachInstruction(spirv, [this](const Instruction& i) { read(i.operation, i.words); });
     for (const auto& [id, variable] : variables_)
       if (variable.used) resources_.descriptors.push_back(descriptor(id, variable));
+    std::ranges::sort(resources_.outputs);
   }
 
   StageResources take() { return std::move(resources_); }
@@ -71,11 +72,15 @@ class ResourceReader {
   void decorate(std::uint32_t id, std::uint32_t decoration, std::uint32_t value) {
     if (decoration == spv::DecorationDescriptorSet) places_[id].set = value;
     if (decoration == spv::DecorationBinding) places_[id].binding = value;
+    if (decoration == spv::DecorationLocation) locations_[id] = value;
     if (decoration == spv::DecorationSpecId) resources_.constants.push_back({value, std::string(nameOf(id))});
   }
 
   void declare(std::uint32_t id, const Variable& variable) {
     if (variable.storage == spv::StorageClassPushConstant) resources_.pushConstants = true;
+    if (const auto place = locations_.find(id);
+        variable.storage == spv::StorageClassOutput && place != locations_.end())
+      resources_.outputs.push_back(place->second);
     if (variable.storage == spv::StorageClassUniformConstant ||
         variable.storage == spv::StorageClassUniform || variable.storage == spv::StorageClassStorageBuffer)
       variables_.emplace(id, variable);
@@ -163,6 +168,7 @@ class ResourceReader {
 
   std::unordered_map<std::uint32_t, std::string_view> names_;
   std::unordered_map<std::uint32_t, Place> places_;
+  std::unordered_map<std::uint32_t, std::uint32_t> locations_;
   std::unordered_map<std::uint32_t, Words> declared_;  ///< types, and constants that are numbers
   std::map<std::uint32_t, Variable> variables_;
   StageResources resources_;
@@ -231,6 +237,14 @@ void requireConstant(const GivenResources& resources, const StageConstant& const
   LUXO_REQUIRE_COMPARE(given, ==, asked);
 }
 
+void requireOutput(const GivenResources& resources, const StageResources& asked, std::uint32_t location) {
+  if (std::ranges::binary_search(asked.outputs, location)) return;
+  const std::string where = fmt::format("attachment {} of {}", location, nameOfStage(resources));
+  const std::string given = fmt::format("{}: nothing", where);
+  const std::string wanted = fmt::format("{}: an output", where);
+  LUXO_REQUIRE_COMPARE(given, ==, wanted);
+}
+
 }  // namespace
 
 StageResources stageResources(std::span<const std::uint32_t> spirv) { return ResourceReader(spirv).take(); }
@@ -238,6 +252,7 @@ StageResources stageResources(std::span<const std::uint32_t> spirv) { return Res
 void requireAllGiven(const GivenResources& given, const StageResources& asked) {
   for (const StageDescriptor& descriptor : asked.descriptors) requireDescriptor(given, descriptor);
   for (const StageConstant& constant : asked.constants) requireConstant(given, constant);
+  for (std::uint32_t i = 0; i < given.written; ++i) requireOutput(given, asked, i);
 }
 
 }  // namespace luxo::gpu

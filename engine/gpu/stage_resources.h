@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a shader reads that its pipeline gives it, beside vertices and push constants: descriptors, and values
-// of specialization constants.
+// of specialization constants; and where it writes to.
 #pragma once
 
 #include "gpu/descriptor.h"
 #include "gpu/shader_optimizer.h"
 #include "gpu/vk.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -34,7 +35,8 @@ struct StageConstant {
 struct StageResources {
   std::vector<StageDescriptor> descriptors;
   std::vector<StageConstant> constants;
-  bool pushConstants = false;  ///< whether it has some
+  std::vector<std::uint32_t> outputs;  ///< locations, ascending; of a fragment shader those of attachments
+  bool pushConstants = false;          ///< whether it has some
 };
 
 /// Of words as compilers write them for Vulkan 1.3, which keep no function that nobody calls. Cost: one pass,
@@ -47,11 +49,13 @@ struct GivenResources {
   VkShaderStageFlagBits stage = VK_SHADER_STAGE_VERTEX_BIT;
   std::vector<std::span<const DescriptorBinding>> sets;
   std::span<const SpecializationConstant> constants;
+  std::size_t written = 0;  ///< so many attachments, of a fragment shader
 };
 
 /// Requires for each descriptor that is asked for one of the same kind, which the stage sees, and for each
-/// constant a value: without a layer that validates, a device reads whatever is there, and takes the value
-/// that the shader's text happens to have.
+/// constant a value, and that each attachment that is written has an output: without a layer that validates,
+/// a device reads whatever is there, takes the value that the shader's text happens to have, and writes
+/// anything.
 void requireAllGiven(const GivenResources& given, const StageResources& asked);
 
 }  // namespace luxo::gpu

@@ -137,6 +137,27 @@ TEST(StageResourcesDeathTest, DescriptorsMustBeThereAndOfTheSameKindAndSeen) {
                "storage buffer versus .* storage buffer.3. Several");
 }
 
+TEST(StageResources, WriteToLocations) {
+  const StageResources two = resourcesOf(R"(
+layout(location = 2) out vec2 second;
+layout(location = 0) out uvec4 first;
+void main() {
+  second = vec2(1);
+  first = uvec4(2);
+  gl_FragDepth = 0.5;
+})");
+  EXPECT_EQ(two.outputs, (std::vector<std::uint32_t>{0, 2}));
+}
+
+TEST(StageResourcesDeathTest, AttachmentsMustBeWrittenTo) {
+  const StageResources one =
+      resourcesOf("layout(location = 0) out vec4 first; void main() { first = vec4(1); }");
+  GivenResources given{.pipeline = "p", .stage = VK_SHADER_STAGE_FRAGMENT_BIT, .written = 1};
+  requireAllGiven(given, one);
+  given.written = 2;
+  EXPECT_DEATH(requireAllGiven(given, one), "attachment 1 of the fragment shader of \"p\"");
+}
+
 TEST(StageResourcesDeathTest, ConstantsMustHaveValues) {
   const auto asks = [](const StageConstant& constant) {
     const std::array<SpecializationConstant, 2> values{{{0, 1}, {5, 2}}};
