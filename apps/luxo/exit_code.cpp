@@ -2,14 +2,41 @@
 #include "exit_code.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <exception>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "console.h"
 #include "interruption.h"
 
 namespace luxo {
+namespace {
+
+constexpr const char* kOutOfMemory = "out of memory";
+constexpr const char* kFreeMemory = "ask for a smaller size, or try again when more is free";
+
+std::terminate_handler usualEnd = nullptr;
+
+/// Where nothing catches: in threads of a driver, and of the compiler in it. There is no memory to make a
+/// text.
+[[noreturn]] void endUncaught() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    for (const std::string_view part : {"error: ", kOutOfMemory, "\nhelp: ", kFreeMemory, "\n"})
+      static_cast<void>(write(STDERR_FILENO, part.data(), part.size()) < 0);
+    std::_Exit(exit_code::kRetry);
+  } catch (...) {
+  }
+  usualEnd();
+  std::abort();
+}
+
+}  // namespace
 
 int exitCodeOf(ErrorKind kind) {
   switch (kind) {
@@ -38,13 +65,13 @@ int runToExitCode(const std::function<int()>& body) {
     printError(error);
     return exitCodeOf(error.kind());
   };
+  if (std::get_terminate() != endUncaught) usualEnd = std::set_terminate(endUncaught);
   try {
     return body();
   } catch (const Error& error) {
     return report(error);
   } catch (const std::bad_alloc&) {
-    return report(
-        {ErrorKind::Retry, "out of memory", "ask for a smaller size, or try again when more is free"});
+    return report({ErrorKind::Retry, kOutOfMemory, kFreeMemory});
   } catch (const std::system_error& error) {
     // Threads are what asks the system without asking for its answer.
     return report({ErrorKind::Retry, fmt::format("the system refused: {}", error.what()),

@@ -25,7 +25,9 @@ inline constexpr int kSignal = 128;
 [[nodiscard]] int exitCodeOf(ErrorKind kind);
 
 /// Runs the program's body and gives its exit code. What it throws becomes "error: ..." and "help: ..." on
-/// stderr and the code of its kind; out of memory is worth retrying, any other exception is internal.
+/// stderr and the code of its kind; out of memory is worth retrying, any other exception is internal. Memory
+/// that is short where nothing catches, as in threads of drivers, ends the program with the same words and
+/// code.
 [[nodiscard]] int runToExitCode(const std::function<int()>& body);
 
 }  // namespace luxo

@@ -5,6 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
+#include <new>
+#include <thread>
+
 #include "cli/program.h"
 #include "console.h"
 #include "exit_code.h"
@@ -137,6 +141,15 @@ TEST(ExitCode, OfEveryKind) {
   EXPECT_EQ(runToExitCode([]() -> int { throw std::bad_alloc(); }), 75);
   EXPECT_EQ(runToExitCode([]() -> int { throw std::runtime_error("surprise"); }), 1);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("surprise"), std::string::npos);
+}
+
+TEST(ExitCodeDeathTest, MemoryThatIsShortWhereNothingCatches) {
+  const auto draw = [] {
+    std::thread([] { throw std::bad_alloc(); }).join();
+    return 0;
+  };
+  EXPECT_EXIT(std::exit(runToExitCode(draw)), testing::ExitedWithCode(75),
+              "error: out of memory\nhelp: ask for a smaller size, or try again");
 }
 
 TEST(Console, ColoursOnlyTheLabels) {
