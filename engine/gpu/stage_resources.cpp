@@ -78,9 +78,10 @@ class ResourceReader {
 
   void declare(std::uint32_t id, const Variable& variable) {
     if (variable.storage == spv::StorageClassPushConstant) resources_.pushConstants = true;
-    if (const auto place = locations_.find(id);
-        variable.storage == spv::StorageClassOutput && place != locations_.end())
-      resources_.outputs.push_back(place->second);
+    if (const auto first = locations_.find(id);
+        variable.storage == spv::StorageClassOutput && first != locations_.end())
+      for (std::uint32_t i = 0; i < typeOf(variable).second; ++i)
+        resources_.outputs.push_back(first->second + i);
     if (variable.storage == spv::StorageClassUniformConstant ||
         variable.storage == spv::StorageClassUniform || variable.storage == spv::StorageClassStorageBuffer)
       variables_.emplace(id, variable);
@@ -122,13 +123,21 @@ class ResourceReader {
       descriptor.set = place->second.set;
       descriptor.binding = place->second.binding;
     }
-    Words type = declared(at(declared(variable.pointer), 3));
-    for (; operationOf(type) == spv::OpTypeArray || operationOf(type) == spv::OpTypeRuntimeArray;
-         type = declared(at(type, 2)))
-      descriptor.count *= operationOf(type) == spv::OpTypeArray ? at(declared(at(type, 3)), 3) : 0;
+    const auto [type, count] = typeOf(variable);
+    descriptor.count = count;
     descriptor.type = kindOf(type, variable.storage);
     if (descriptor.name.empty()) descriptor.name = nameOf(at(type, 1));
     return descriptor;
+  }
+
+  /// That of its elements, and how many there are; 0: it does not say.
+  [[nodiscard]] std::pair<Words, std::uint32_t> typeOf(const Variable& variable) const {
+    std::uint32_t count = 1;
+    Words type = declared(at(declared(variable.pointer), 3));
+    for (; operationOf(type) == spv::OpTypeArray || operationOf(type) == spv::OpTypeRuntimeArray;
+         type = declared(at(type, 2)))
+      count *= operationOf(type) == spv::OpTypeArray ? at(declared(at(type, 3)), 3) : 0;
+    return {type, count};
   }
 
   [[nodiscard]] VkDescriptorType kindOf(Words type, std::uint32_t storage) const {

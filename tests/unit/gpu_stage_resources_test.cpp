@@ -139,14 +139,14 @@ TEST(StageResourcesDeathTest, DescriptorsMustBeThereAndOfTheSameKindAndSeen) {
 
 TEST(StageResources, WriteToLocations) {
   const StageResources two = resourcesOf(R"(
-layout(location = 2) out vec2 second;
+layout(location = 2) out vec2 second[3];
 layout(location = 0) out uvec4 first;
 void main() {
-  second = vec2(1);
+  second[1] = vec2(1);
   first = uvec4(2);
   gl_FragDepth = 0.5;
 })");
-  EXPECT_EQ(two.outputs, (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(two.outputs, (std::vector<std::uint32_t>{0, 2, 3, 4}));
 }
 
 TEST(StageResourcesDeathTest, AttachmentsMustBeWrittenTo) {
