@@ -67,7 +67,7 @@ TEST(SharedData, LiesInMemoryAlikeForCppAndShaders) {
                                          LUXO_SHARED("scene_data.h", ShaderFaults, manyTraces),
                                          LUXO_SHARED("scene_data.h", TraceQuestion, position),
                                          LUXO_SHARED("scene_data.h", TraceAnswer, inside),
-                                         LUXO_SHARED("scene_data.h", LayerPoint, placeNormal),
+                                         LUXO_SHARED("scene_data.h", LayerPoint, triangle),
                                          LUXO_SHARED("scene_data.h", LayerDetail, frame),
                                          LUXO_SHARED("scene_data.h", ReachingLight, transmittance),
                                          LUXO_SHARED("flat_pattern.h", FlatPattern, tintsLight),
