@@ -467,6 +467,13 @@ bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node, const DrawO
          material.shadingIn(options.shading) == Shading::Exact;
 }
 
+bool DrawList::addsLight() const {
+  return std::ranges::any_of(groups, [](const LightGroup& group) {
+    return std::ranges::any_of(group.again,
+                               [](const DrawBatch& again) { return addsMoreLight(again.state); });
+  });
+}
+
 bool DrawList::onlyFound() const {
   return transparent.empty() && std::ranges::all_of(opaque, [this](const DrawBatch& batch) {
            return batch.finds() && (!deferred || batch.state.form != Form::Fused);

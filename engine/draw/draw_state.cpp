@@ -50,6 +50,10 @@ bool isFoundOnly(const DrawState& state) {
   return state.form == Form::Found || state.form == Form::FoundWithParameters;
 }
 
+bool addsMoreLight(const DrawState& state) {
+  return state.form == Form::Again && state.addsLight && state.shading == Shading::Gouraud;
+}
+
 bool isAgain(const DrawState& state) { return state.form == Form::Again || state.form == Form::LayerAgain; }
 
 bool isOfLayers(const DrawState& state) {

@@ -19,6 +19,7 @@ enum class Form {
   FoundWithParameters,  ///< with their parameters
   Openness,             ///< find how much ambient light gets to what was written down
   Shade,                ///< light it
+  AddLight,             ///< add what more lights have made of it
   MeshPlace,            ///< find which points of its surface a mesh has put down
   LayerPlace,           ///< the same where it is seen through
   Shadow,               ///< find whether a surface keeps a light from what was found
@@ -95,6 +96,8 @@ struct Inspection {
 
 /// Whether its triangles are drawn again to light their points.
 [[nodiscard]] bool isAgain(const DrawState& state);
+/// And with light that is to be added, once for each pixel (Form::AddLight).
+[[nodiscard]] bool addsMoreLight(const DrawState& state);
 
 /// Whether it is about points in the lists of what is seen through.
 [[nodiscard]] bool isOfLayers(const DrawState& state);

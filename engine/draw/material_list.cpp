@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -321,7 +322,7 @@ void MaterialList::listShades() {
   // that the order of nodes is no matter.
   for (LightGroup& group : list_.groups)
     std::ranges::stable_sort(group.again, {}, [](const DrawBatch& again) {
-      return std::pair(again.state.addsLight, again.state.shading);
+      return std::tuple(again.state.addsLight, again.state.shading, again.state.firstLight);
     });
   for (const DrawBatch& batch : list_.layers.meshes)
     if (batch.again) listAgain(batch, true);

@@ -266,7 +266,7 @@ void PassRecorder::shade(const DrawState& state, std::size_t group, std::span<co
   pipeline.bind(commands_);
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   bindPaint(pipeline, state);
-  if (state.form == Form::Shade || state.form == Form::Openness)
+  if (state.form == Form::Shade || state.form == Form::Openness || state.form == Form::AddLight)
     pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
   else
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);

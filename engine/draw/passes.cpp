@@ -14,13 +14,20 @@ std::vector<Attachment> color(Begin begin, gpu::Blend blend = gpu::Blend::None) 
   return {{Target::Color, begin, blend}};
 }
 
-/// How the light on triangles that are drawn again joins that of other lights: of a drawing the lightest of
-/// its levels counts.
-gpu::Blend blendOf(const DrawState& again) {
-  if (!again.addsLight) return gpu::Blend::None;
-  return again.shading == Shading::Gouraud ? gpu::Blend::Add : gpu::Blend::Lighten;
+/// What triangles that are drawn again draw to. Of a drawing the lightest of its levels counts. Other light
+/// is added: but of all triangles that are as near in a pixel, as where a model has them twice, one alone is
+/// what is seen. So it is drawn apart, each over the one before, and then added.
+Attachment attachmentOf(const DrawState& again) {
+  if (addsMoreLight(again)) return {Target::MoreLight, Begin::Clear};
+  return {Target::Color, Begin::Keep, again.addsLight ? gpu::Blend::Lighten : gpu::Blend::None};
 }
 
+/// Whether they are drawn in one pass.
+bool drawnTogether(const DrawState& a, const DrawState& b) {
+  return attachmentOf(a) == attachmentOf(b) && a.firstLight == b.firstLight;
+}
+
+const std::array<DrawState, 1> kAddLight{DrawState{.form = Form::AddLight}};
 const std::array<DrawState, 1> kOpenness{DrawState{.form = Form::Openness}};
 
 /// What the first pass draws, and what is drawn over that.
@@ -248,15 +255,20 @@ class DeferredPasses {
     if (againAsksForShadows(group) && list_.findsTransmittances() && !group.transmits)
       reads.push_back(Target::Transmittance);
     for (auto first = group.again.begin(); first != group.again.end();) {
-      const gpu::Blend blend = blendOf(first->state);
-      const auto end = std::find_if(first, group.again.end(), [blend](const DrawBatch& batch) {
-        return blendOf(batch.state) != blend;
+      const auto end = std::find_if(first, group.again.end(), [&first](const DrawBatch& batch) {
+        return !drawnTogether(batch.state, first->state);
       });
       passes_.push_back({.name = "meshes again",
-                         .colors = color(Begin::Keep, blend),
+                         .colors = {attachmentOf(first->state)},
                          .reads = reads,
                          .batches = {first, end},
                          .group = index});
+      if (addsMoreLight(first->state))
+        passes_.push_back({.name = "more light",
+                           .colors = color(Begin::Keep, gpu::Blend::Add),
+                           .reads = {Target::MoreLight},
+                           .group = index,
+                           .shades = kAddLight});
       first = end;
     }
   }

@@ -24,6 +24,8 @@ struct Attachment {
   Target target = Target::Color;
   Begin begin = Begin::Keep;
   gpu::Blend blend = gpu::Blend::None;  ///< how colours join those that are there
+
+  friend bool operator==(const Attachment&, const Attachment&) = default;
 };
 
 /// Rows of the picture, of so many bands of them.

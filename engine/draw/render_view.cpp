@@ -150,6 +150,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
                     .shadows = list_.findsShadows(),
                     .transmittance = list_.findsTransmittances(),
                     .openness = list_.occludes,
+                    .moreLight = list_.addsLight(),
                     .places = list_.findsPlaces,
                     .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details);
@@ -307,6 +308,7 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     gpu::Texture& transmittance =
         list_.findsTransmittances() ? targets_.texture(Target::Transmittance) : found;
     gpu::Texture& openness = list_.occludes ? targets_.texture(Target::Openness) : found;
+    gpu::Texture& moreLight = list_.addsLight() ? targets_.texture(Target::MoreLight) : found;
     gpu::Texture& parameters =
         list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
@@ -321,7 +323,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
                                                  {openness, pipelines.texelSampler()},
                                                  list_.traces ? traces_.questions() : noTraces,
                                                  list_.traces ? traces_.starts() : noTraces,
-                                                 list_.traces ? traces_.answers() : noTraces});
+                                                 list_.traces ? traces_.answers() : noTraces,
+                                                 {moreLight, pipelines.texelSampler()}});
   }
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, texels.get(list_.textures));
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines);

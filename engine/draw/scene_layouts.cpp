@@ -73,6 +73,7 @@ std::vector<SceneSet> setsOf(const DrawState& state) {
     case Shade:
     case Again:
     case Openness:
+    case AddLight:
       return {Set::Scene, paint, Set::Found};
     case FlatShadow:
     case FlatTransmittance:

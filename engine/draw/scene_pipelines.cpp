@@ -41,6 +41,8 @@ std::string_view nameOfPipeline(const DrawState& state) {
       return "shade";
     case Openness:
       return "openness";
+    case AddLight:
+      return "more light";
     case MeshPlace:
       return "places";
     case LightDepth:
@@ -181,6 +183,7 @@ void setFragments(const DrawState& state, gpu::GraphicsPipelineDesc& desc) {
       setSurfaceFragments(state, desc);
       break;
     case Shade:
+    case AddLight:
     case Openness:
     case MeshPlace:
     case Shadow:

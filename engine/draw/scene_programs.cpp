@@ -12,6 +12,7 @@
 #include "draw/exact_shaders.h"
 #include "draw/exact_source.h"
 #include "gpu/shader_compiler.h"
+#include "luxo/shaders/add_light_frag.h"
 #include "luxo/shaders/blend_layers_frag.h"
 #include "luxo/shaders/closed_layer_shadow_frag.h"
 #include "luxo/shaders/closed_shadow_frag.h"
@@ -256,6 +257,7 @@ Shader ScenePrograms::vertexOf(const DrawState& state) const {
       return luxo_shade_vert;
     case Openness:
       return luxo_openness_vert;
+    case AddLight:
     case BlendLayers:
       return luxo_whole_target_vert;
   }
@@ -310,6 +312,8 @@ Shader ScenePrograms::fragmentOf(const DrawState& state) {
       return withPattern(state, "pattern/shade_layers.frag", luxo_shade_layers_frag);
     case Openness:
       return luxo_openness_frag;
+    case AddLight:
+      return luxo_add_light_frag;
     case BlendLayers:
       return inspectionOf(state) ? Shader(luxo_inspect_layers_frag) : luxo_blend_layers_frag;
   }

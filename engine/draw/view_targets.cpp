@@ -43,6 +43,7 @@ VkFormat formatOf(Target target, const PictureFormat& picture) {
       return kTransmittanceFormat;
     case Target::Openness:
       return kOpennessFormat;
+    case Target::MoreLight:
     case Target::Color:
       break;
   }
@@ -82,6 +83,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
     shadows_ = gpu::Texture();
     transmittance_ = gpu::Texture();
     openness_ = gpu::Texture();
+    moreLight_ = gpu::Texture();
   }
   if (const VkExtent2D wanted = needs.lightDepth;
       wanted.width > 0 && !(lightDepth_ && lightDepth_.extent().width >= wanted.width &&
@@ -96,6 +98,8 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
         make(kTransmittanceFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "transmittance");
   if (needs.openness && !fits(openness_, extent, VK_SAMPLE_COUNT_1_BIT))
     openness_ = make(kOpennessFormat, kReadAgain, samples, "openness");
+  if (needs.moreLight && !fits(moreLight_, extent, VK_SAMPLE_COUNT_1_BIT))
+    moreLight_ = make(format_.color, kReadAgain, samples, "light of more lights");
   if (needs.shadows && (!places_ || (needs.places && !fits(places_, extent, VK_SAMPLE_COUNT_1_BIT))))
     places_ = gpu::Texture(*context_, {.extent = needs.places ? extent : VkExtent2D{1, 1},
                                        .format = kPlacesFormat,
@@ -133,6 +137,8 @@ gpu::Texture& ViewTargets::texture(Target target) {
       return transmittance_;
     case Target::Openness:
       return openness_;
+    case Target::MoreLight:
+      return moreLight_;
     case Target::LightDepth:
       return lightDepth_;
     case Target::Color:

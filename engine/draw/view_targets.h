@@ -20,8 +20,8 @@ enum class Precision { Full, Half };
 /// asks for them, their parameters, and, where a texture does, the footprint of their pixel, and, where a map
 /// of normals does, their frame; Shadows: the lights, a bit each, that do not reach them; Places: of meshes
 /// the points of their surfaces (shaders/lib/mesh_place_fragment.glsl); Transmittance: how much of one light
-/// its casters let through; Openness: how much of the ambient light gets there; LightDepth: a light's depth
-/// map.
+/// its casters let through; Openness: how much of the ambient light gets there; MoreLight: of
+/// meshes that are drawn again, the light of more lights than the first; LightDepth: a light's depth map.
 enum class Target {
   Color,
   Depth,
@@ -33,6 +33,7 @@ enum class Target {
   Shadows,
   Transmittance,
   Openness,
+  MoreLight,
   LightDepth
 };
 
@@ -63,7 +64,7 @@ class ViewTargets {
   struct Needs {
     bool deferred = false;  ///< Found, FoundParameters
     bool footprints = false, frames = false;
-    bool shadows = false, transmittance = false, openness = false;
+    bool shadows = false, transmittance = false, openness = false, moreLight = false;
     bool places = false;         ///< with shadows; else there is one of a texel, to have something to bind
     VkExtent2D lightDepth = {};  ///< none: there is no map
   };
@@ -92,7 +93,7 @@ class ViewTargets {
   gpu::Context* context_;
   PictureFormat format_;
   gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, foundFrame_, places_,
-      shadows_, transmittance_, openness_, lightDepth_;
+      shadows_, transmittance_, openness_, moreLight_, lightDepth_;
 };
 
 }  // namespace luxo

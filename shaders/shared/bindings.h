@@ -49,7 +49,8 @@ LUXO_CONSTANT kBindingOpenness = 6;
 LUXO_CONSTANT kBindingTraceQuestions = 7;
 LUXO_CONSTANT kBindingTraceStarts = 8;
 LUXO_CONSTANT kBindingTraceAnswers = 9;
-LUXO_CONSTANT kFoundBindings = 10;
+LUXO_CONSTANT kBindingMoreLight = 10;
+LUXO_CONSTANT kFoundBindings = 11;
 
 // Bindings of kSetShadow.
 LUXO_CONSTANT kBindingCasters = 0;

@@ -428,21 +428,6 @@ TEST_F(LayersTest, MeshesShowTheSameLayers) {
   EXPECT_LT(different, 120);
 }
 
-/// A cube, each of whose triangles is there so many times; with parameters, unless they are all 0.
-TriangleMesh cubeOfLayers(std::uint32_t times, bool parameters) {
-  const TriangleMesh cube = cubeMesh();
-  MeshArrays arrays;
-  for (std::uint32_t i = 0; i < times; ++i)
-    for (const std::uint32_t corner : cube.indices()) {
-      const auto number = static_cast<std::uint32_t>(arrays.positions.size());
-      arrays.positions.push_back(cube.point(corner));
-      arrays.uvs.emplace_back(parameters ? Vec2f(static_cast<float>(number), static_cast<float>(number % 3))
-                                         : Vec2f(0));
-      arrays.indices.push_back(number);
-    }
-  return triangleMesh(std::move(arrays), "cube of layers", {.normals = NormalRule::Flat});
-}
-
 Scene withCube(const TriangleMesh& mesh, const std::vector<Light>& lights) {
   Scene scene;
   scene.set(RenderSettings{.background = Vec3(0.1, 0.2, 0.4), .ambient = Vec3(0.5)});
@@ -460,7 +445,7 @@ TEST_F(LayersTest, EveryPointOfTrianglesThatAreDrawnAgainIsLit) {
   for (const std::uint32_t times : {1U, 2U})
     for (const bool parameters : {true, false}) {
       const Image image =
-          draw(withCube(cubeOfLayers(times, parameters), {}), kLayersSize, {.shading = Shading::Gouraud})
+          draw(withCube(repeatedCube(times, parameters), {}), kLayersSize, {.shading = Shading::Gouraud})
               .image;
       const Vec3 background(0.1, 0.2, 0.4), light = 0.5 * Vec3(0.8, 0.4, 0.2);
       const double through = std::pow(0.5, 2 * times);
@@ -486,8 +471,8 @@ TEST_F(LayersTest, ParametersDoNotMatterToTrianglesThatAreDrawnAgain) {
                                {plain, exact, plain, plain, exact, plain, plain, exact, plain, plain}})
       for (const int samples : {1, 4}) {
         const DrawOptions options{.shading = shading, .samples = samples};
-        const Image told = draw(withCube(cubeOfLayers(1, true), lights), kLayersSize, options).image,
-                    untold = draw(withCube(cubeOfLayers(1, false), lights), kLayersSize, options).image;
+        const Image told = draw(withCube(repeatedCube(1, true), lights), kLayersSize, options).image,
+                    untold = draw(withCube(repeatedCube(1, false), lights), kLayersSize, options).image;
         EXPECT_TRUE(sameBytes(told, untold))
             << nameOf(shading) << ", " << lights.size() << " lights, " << samples << " samples";
       }

@@ -14,6 +14,7 @@
 #include "reference/verification.h"
 #include "scene/scene_builder.h"
 #include "scene/scene_reader.h"
+#include "support/meshes.h"
 #include "support/picture.h"
 
 namespace luxo::test {
@@ -221,6 +222,27 @@ TEST_F(MeshShadowTest, StandBesideExactSurfaces) {
       draw(scene, kMeshShadowSize, {.shading = Shading::Phong, .audit = {AuditExtent::All}});
   EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
   EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+}
+
+/// Nine lights are more than one draw interpolates: of triangles that are as near in a pixel, as all are of a
+/// model that has them twice, one gets the light of each.
+TEST_F(MeshShadowTest, TrianglesThatAreThereTwiceAreLitOnce) {
+  const auto withCube = [](std::uint32_t times) {
+    Scene scene;
+    scene.add(Node{.rotation = Rotation{{0.3, 1, 0}, 0.6},
+                   .surface = repeatedCube(times, true),
+                   .material = scene.add(Material{.diffuse = Vec3(0.8, 0.4, 0.2)})});
+    for (int i = 0; i < 9; ++i)
+      scene.add(Node{.translation = Vec3(i - 4, 5, 4),
+                     .light = Light{.intensity = 0.1,
+                                    .shadow = i % 4 == 0 ? Light::Shadow::Exact : Light::Shadow::None}});
+    scene.add(Camera{.eye = Vec3(0, 1, 6)});
+    return scene;
+  };
+  for (const Shading shading : {Shading::Gouraud, Shading::Toon, Shading::Phong})
+    EXPECT_TRUE(sameBytes(draw(withCube(1), kMeshShadowSize, {.shading = shading}).image,
+                          draw(withCube(2), kMeshShadowSize, {.shading = shading}).image))
+        << nameOf(shading);
 }
 
 }  // namespace

@@ -27,6 +27,20 @@ TriangleMesh cubeMesh() {
   return triangleMesh(std::move(arrays), "cube", {.normals = NormalRule::Flat});
 }
 
+TriangleMesh repeatedCube(std::uint32_t times, bool parameters) {
+  const TriangleMesh cube = cubeMesh();
+  MeshArrays arrays;
+  for (std::uint32_t i = 0; i < times; ++i)
+    for (const std::uint32_t corner : cube.indices()) {
+      const auto number = static_cast<std::uint32_t>(arrays.positions.size());
+      arrays.positions.push_back(cube.point(corner));
+      arrays.uvs.emplace_back(parameters ? Vec2f(static_cast<float>(number), static_cast<float>(number % 3))
+                                         : Vec2f(0));
+      arrays.indices.push_back(number);
+    }
+  return triangleMesh(std::move(arrays), "repeated cube", {.normals = NormalRule::Flat});
+}
+
 TriangleMesh icosphere(int cuts) {
   const double g = (1 + std::sqrt(5.0)) / 2;
   MeshArrays arrays{.positions = {{-1, g, 0},

@@ -13,6 +13,8 @@ namespace luxo::test {
 [[nodiscard]] TriangleMesh quadMesh();
 /// From -1 to 1, with flat normals: closed.
 [[nodiscard]] TriangleMesh cubeMesh();
+/// cubeMesh(), each of whose triangles is there so many times; with parameters, unless they are all 0.
+[[nodiscard]] TriangleMesh repeatedCube(std::uint32_t times, bool parameters);
 /// An icosahedron whose triangles were cut in four so many times, corners on the unit sphere: closed, with
 /// smooth normals.
 [[nodiscard]] TriangleMesh icosphere(int cuts);

@@ -283,20 +283,29 @@ TEST(Passes, ShadowsOfRaysReplaceWhatCastersLeave) {
 TEST(Passes, LightOnMeshesThatAreDrawnAgainJoinsThatOfOthers) {
   DrawList list = deferredList();
   list.groups.resize(2);
-  const auto again = [](Shading shading, bool addsLight) {
-    return DrawBatch{.state = {.shading = shading, .form = Form::Again, .addsLight = addsLight}};
+  const auto again = [](Shading shading, bool addsLight, std::uint32_t firstLight = 0) {
+    return DrawBatch{
+        .state = {.shading = shading, .form = Form::Again, .addsLight = addsLight, .firstLight = firstLight}};
   };
+  EXPECT_FALSE(list.addsLight());
   list.groups[0].again = {again(Shading::Gouraud, false), again(Shading::Toon, false),
-                          again(Shading::Gouraud, true)};
+                          again(Shading::Gouraud, true, 8)};
   list.groups[1].again = {again(Shading::Gouraud, true), again(Shading::Gouraud, true),
-                          again(Shading::Toon, true)};
+                          again(Shading::Gouraud, true, 8), again(Shading::Toon, true)};
+  EXPECT_TRUE(list.addsLight());
   const std::vector<Pass> passes = passesOf(list, {});
-  ASSERT_EQ(joined(passes), (Names{"found none", "shade none", "meshes again none", "meshes again add",
-                                   "shade add", "meshes again add", "meshes again lighten"}));
+  ASSERT_EQ(joined(passes), (Names{"found none", "shade none", "meshes again none", "meshes again none",
+                                   "more light add", "shade add", "meshes again none", "more light add",
+                                   "meshes again none", "more light add", "meshes again lighten"}));
   EXPECT_EQ(passes[2].batches.size(), 2U);
   EXPECT_EQ(passes[3].batches.size(), 1U);
-  EXPECT_EQ(passes[5].batches.size(), 2U);
-  EXPECT_EQ(passes[6].batches.data(), &list.groups[1].again[2]);
+  EXPECT_EQ(passes[6].batches.size(), 2U);
+  EXPECT_EQ(passes[10].batches.data(), &list.groups[1].again[3]);
+  // One triangle of each pixel counts, of as many lights as are drawn at once.
+  for (const std::size_t i : {3U, 6U, 8U}) {
+    EXPECT_EQ(passes[i].colors, (std::vector<Attachment>{{Target::MoreLight, Begin::Clear}}));
+    EXPECT_EQ(passes[i + 1].reads, std::vector{Target::MoreLight});
+  }
 }
 
 TEST(Passes, WhatIsSeenThroughIsBlendedUnlessItIsOfTheGeometry) {
