@@ -231,13 +231,10 @@ void MaterialProgram::requirePure(const gpu::ShaderInterface& interface) const {
                            name),
                "compute it in a function, or make it a constant");
   }
-  for (const gpu::ShaderVariable& constant : interface.constants) {
-    const std::string name = isProgram ? withoutCourseSpelling(constant.name) : constant.name;
-    const std::string why = fmt::format("'{}' is a specialization constant, which scenes do not set", name),
-                      advice = "make it a constant, or a uniform, which scenes set";
-    refuseWord(name, why, advice);
-    throw Error(ErrorKind::Scene, fmt::format("{}: {}", file, why), advice);
-  }
+  // Wherever it stands: what is left out here may be there once joined with all else, where nobody gives it a
+  // value.
+  refuseWord("constant_id", "'constant_id' makes a specialization constant, which scenes do not set",
+             "make it a constant, or a uniform, which scenes set");
   for (const char* own : {"luxoStops", "luxoRounds", "kLuxoMaxRounds", "LUXO_ASKS"})
     refuseWord(own, fmt::format("'{}' is a name of luxo's own", own), "choose another one");
   if (std::ranges::count(interface.calls, "luxoStops") < std::int64_t{interface.loops})

@@ -179,7 +179,11 @@ TEST_F(MaterialShaderProgram, HostileOnesAreErrors) {
   expectError("uniform B { float x; } b;\nvec4 material(Point p) { return vec4(b.x); }\n",
               "the block 'B' has no values");
   expectError("layout(constant_id = 3) const float k = 1.0;\nvec4 material(Point p) { return vec4(k); }\n",
-              "m.frag:1:37: 'k' is a specialization constant");
+              "m.frag:1:8: 'constant_id' makes a specialization constant");
+  expectError(
+      "#ifdef LUXO_TEXTURED\nlayout(constant_id = 99) const float k = 1.0;\n#endif\n"
+      "vec4 material(Point p) { return vec4(1); }\n",
+      "m.frag:2:8: 'constant_id' makes a specialization constant");
   expectError("vec4 material(Point p) { gl_FragDepth = 0.5; return vec4(1); }\n",
               "'gl_FragDepth' is an input or output");
 }
