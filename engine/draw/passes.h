@@ -67,6 +67,7 @@ struct FrameDesc {
 
 /// The list must outlive the passes, and have its batches in their order (DrawList::opaque).
 [[nodiscard]] std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame);
+std::vector<Pass> passesOf(const DrawList&& list, const FrameDesc& frame) = delete;
 
 /// What a pass needs pipelines for, but for points of rays, which are few; and what these pipelines draw to.
 [[nodiscard]] std::vector<DrawState> statesOf(const Pass& pass);

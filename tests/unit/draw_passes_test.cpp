@@ -13,9 +13,9 @@ namespace luxo {
 namespace {
 
 /// "name+" keeps its targets, "name" clears them; then how many batches it draws, and "*" for points of rays.
-std::vector<std::string> told(const std::vector<Pass>& passes) {
+std::vector<std::string> told(const DrawList& list, const FrameDesc& frame) {
   std::vector<std::string> names;
-  for (const Pass& pass : passes) {
+  for (const Pass& pass : passesOf(list, frame)) {
     std::string name = pass.name;
     for (const Attachment& color : pass.colors) EXPECT_EQ(color.begin, pass.depth) << name;
     if (pass.depth == Begin::Keep) name += '+';
@@ -41,18 +41,18 @@ DrawList listOf(int shells, int meshes, int transparent) {
 using Names = std::vector<std::string>;
 
 TEST(Passes, APictureClearsItsTargetsOnce) {
-  EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {})), (Names{"found 2"}));
-  EXPECT_EQ(told(passesOf(listOf(0, 3, 0), {})), (Names{"opaque 3"}));
-  EXPECT_EQ(told(passesOf(listOf(2, 3, 1), {})), (Names{"found 2", "meshes+ 3", "transparent+ 1"}));
-  EXPECT_EQ(told(passesOf(listOf(0, 0, 0), {})), (Names{"found 0"})) << "the background";
-  EXPECT_EQ(told(passesOf(listOf(1, 0, 0), {.emptyPasses = true})), (Names{"found 1", "transparent+ 0"}));
+  EXPECT_EQ(told(listOf(2, 0, 0), {}), (Names{"found 2"}));
+  EXPECT_EQ(told(listOf(0, 3, 0), {}), (Names{"opaque 3"}));
+  EXPECT_EQ(told(listOf(2, 3, 1), {}), (Names{"found 2", "meshes+ 3", "transparent+ 1"}));
+  EXPECT_EQ(told(listOf(0, 0, 0), {}), (Names{"found 0"})) << "the background";
+  EXPECT_EQ(told(listOf(1, 0, 0), {.emptyPasses = true}), (Names{"found 1", "transparent+ 0"}));
 }
 
 TEST(Passes, PointsOfRaysReplaceWhatNothingWasDrawnOver) {
   const RayPoints points;
-  EXPECT_EQ(told(passesOf(listOf(2, 0, 0), {.rays = &points})), (Names{"rays+ 0*"}));
-  EXPECT_EQ(told(passesOf(listOf(2, 1, 0), {.rays = &points})), (Names{"found 2*", "meshes+ 1"}));
-  EXPECT_EQ(told(passesOf(listOf(2, 0, 1), {.rays = &points})), (Names{"found 2*", "transparent+ 1"}));
+  EXPECT_EQ(told(listOf(2, 0, 0), {.rays = &points}), (Names{"rays+ 0*"}));
+  EXPECT_EQ(told(listOf(2, 1, 0), {.rays = &points}), (Names{"found 2*", "meshes+ 1"}));
+  EXPECT_EQ(told(listOf(2, 0, 1), {.rays = &points}), (Names{"found 2*", "transparent+ 1"}));
 }
 
 TEST(Passes, ThoseThatSearchSaySo) {
@@ -322,7 +322,8 @@ TEST(Passes, WhatIsSeenThroughIsBlendedUnlessItIsOfTheGeometry) {
 
 TEST(Passes, PipelinesAreOfTheTargetsOfTheirPass) {
   const PictureFormat picture{.color = VK_FORMAT_R16G16B16A16_SFLOAT, .samples = VK_SAMPLE_COUNT_4_BIT};
-  const std::vector<Pass> passes = passesOf(listInShadow(), {});
+  const DrawList list = listInShadow();
+  const std::vector<Pass> passes = passesOf(list, {});
   const auto formats = [&](std::size_t pass) { return formatOf(passes[pass], picture); };
   EXPECT_EQ(formats(0).colors[0], (gpu::ColorAttachment{VK_FORMAT_R32G32B32A32_SFLOAT}));
   EXPECT_EQ(formats(0).colors[1], (gpu::ColorAttachment{VK_FORMAT_R32G32_SFLOAT}));
