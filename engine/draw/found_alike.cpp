@@ -53,6 +53,8 @@ bool same(const LightMapDrawn::Caster& a, const LightMapDrawn::Caster& b) {
 
 bool same(const PlacedNode& a, const PlacedNode& b) { return a.node == b.node && a.material == b.material; }
 
+bool same(const FoundLayer& a, const FoundLayer& b) { return a.node == b.node && a.material == b.material; }
+
 bool same(const LightGroup& a, const LightGroup& b);
 
 template <class T>
@@ -69,12 +71,16 @@ bool same(const std::optional<LightMapDrawn>& a, const std::optional<LightMapDra
 bool same(const LightGroup& a, const LightGroup& b) {
   return a.lightSet == b.lightSet && a.transmits == b.transmits && a.plainLights == b.plainLights &&
          a.shadedLights == b.shadedLights && a.spots == b.spots && a.lights == b.lights &&
-         same(a.shadows, b.shadows) && same(a.flatShadows, b.flatShadows) && same(a.map, b.map);
+         same(a.shadows, b.shadows) && same(a.flatShadows, b.flatShadows) && same(a.map, b.map) &&
+         same(a.transmittances, b.transmittances) && same(a.flatTransmittances, b.flatTransmittances) &&
+         same(a.layerShadows, b.layerShadows) && same(a.layerTransmittances, b.layerTransmittances);
 }
 
-/// Whether casters let some of the light through, whose colours and opacities tell how much, or end where
-/// their maps say: searches find them, or rays alone.
-bool tints(const LightGroup& group) { return group.transmits && !group.lights.empty(); }
+/// What is seen through, and how it is blended.
+bool same(const Layers& a, const Layers& b) {
+  return same(a.searches, b.searches) && same(a.meshes, b.meshes) && same(a.places, b.places) &&
+         a.placed == b.placed && same(a.found, b.found) && a.blend == b.blend && a.details == b.details;
+}
 
 bool same(const Casters& a, const Casters& b) {
   return sameBytes(a.closed, b.closed) && sameBytes(a.meshes, b.meshes) && sameBytes(a.casters, b.casters) &&
@@ -84,8 +90,22 @@ bool same(const Casters& a, const Casters& b) {
 
 /// What finds points asks of a material whether it lets something through, and where it ends.
 bool findAlike(const shared::MaterialData& a, const shared::MaterialData& b) {
-  return a.flags == b.flags && a.blend == b.blend && a.opacity == 0 && b.opacity == 0 && a.leastOpaque == 0 &&
-         b.leastOpaque == 0 && (a.pattern == shared::kDrawnAgain) == (b.pattern == shared::kDrawnAgain);
+  return a.flags == b.flags && a.blend == b.blend && a.opacity == b.opacity &&
+         a.leastOpaque == b.leastOpaque &&
+         (a.pattern == shared::kDrawnAgain) == (b.pattern == shared::kDrawnAgain);
+}
+
+/// Whether both let the same of a light through: their opacity says how much, in mode Multiply the colour,
+/// too; a map may say either.
+bool letThroughAlike(const Material& a, const Material& b) {
+  if (!a.letsLightThrough() && !b.letsLightThrough()) return true;
+  if (a.blend == Blend::Multiply || a.mapOpacity || b.mapOpacity) return a == b;
+  const auto opacities = [](const Material& material) {
+    const bool varies = material.diffusePattern.hasOpacity();
+    return std::tuple(material.opacity, material.blend, varies ? material.diffusePattern : Pattern(),
+                      varies ? material.patternParameters : std::vector<double>());
+  };
+  return opacities(a) == opacities(b);
 }
 
 /// What is not about the light that a point reflects, or goes with points that are asked for it.
@@ -96,7 +116,7 @@ bool findAlike(const Material& a, const Material& b) {
                       material.lightsBelowHorizon(), material.readsFootprint(), material.drawsMaps(),
                       Paint::of(material).readsFrame(), material.shader != nullptr);
   };
-  return facts(a) == facts(b);
+  return facts(a) == facts(b) && letThroughAlike(a, b);
 }
 
 }  // namespace
@@ -105,10 +125,14 @@ bool keepsWhatItFinds(const DrawList& list) {
   const auto isFused = [](const auto& draw) { return draw.state.form == Form::Fused; };
   const bool drawsOver = !list.transparent.empty() || std::ranges::any_of(list.opaque, isFused) ||
                          std::ranges::any_of(list.found, isFused);
-  const bool readsPatterns =
-      std::ranges::any_of(list.opaque, [](const DrawBatch& batch) { return batch.state.pattern.valid(); });
-  return list.deferred && !drawsOver && !readsPatterns && !list.layers.any() && !list.traces &&
-         std::ranges::none_of(list.groups, tints) && (list.groups.size() == 1 || !list.findsShadows());
+  const auto readsPattern = [](const auto& draw) { return draw.state.pattern.valid(); };
+  const bool readsPatterns = std::ranges::any_of(list.opaque, readsPattern) ||
+                             std::ranges::any_of(list.layers.meshes, readsPattern) ||
+                             std::ranges::any_of(list.layers.searches, readsPattern);
+  // A point that is seen through holds what reaches it of one group.
+  const bool keepsLayers = !list.layers.any() || (list.groups.size() == 1 && !list.hasLightMaps());
+  return list.deferred && !drawsOver && !readsPatterns && !list.traces && keepsLayers &&
+         (list.keepsShadows() || !list.findsShadows());
 }
 
 bool findsAlike(const Snapshot& last, const Snapshot& next) {
@@ -131,7 +155,7 @@ bool findsAlike(const DrawList& last, const DrawList& next) {
          sameBytes(last.exactParameters, next.exactParameters) && sameBytes(last.lightSets, next.lightSets) &&
          same(last.opaque, next.opaque) && same(last.found, next.found) && same(last.places, next.places) &&
          same(last.placed, next.placed) && same(last.groups, next.groups) &&
-         same(last.casters, next.casters) &&
+         same(last.casters, next.casters) && same(last.layers, next.layers) &&
          std::ranges::equal(
              last.materials, next.materials,
              [](const shared::MaterialData& a, const shared::MaterialData& b) { return findAlike(a, b); });

@@ -7,8 +7,8 @@
 namespace luxo {
 
 /// Whether what the passes of a list find stays in the targets when they are done: of a deferred one whose
-/// lights' groups leave each other's shadows alone, with nothing that is seen through, or lets light through,
-/// or sends rays, or is drawn over what is found.
+/// groups of lights leave each other's shadows alone (of what is seen through: with one group), and with
+/// nothing that sends rays or is drawn over what is found.
 [[nodiscard]] bool keepsWhatItFinds(const DrawList& list);
 
 /// Whether two moments differ in what materials look like and in the background alone: what rays find, too,

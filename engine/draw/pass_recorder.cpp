@@ -64,6 +64,8 @@ constexpr VkClearDepthStencilValue kInfinitelyFar{0.0f, 0};  // reversed
 void PassRecorder::record(const Pass& pass) {
   const gpu::Label label(context_, commands_, pass.name);
   format_ = formatOf(pass, view_.targets().format());
+  slot_ = view_.list().shadowSlot(pass.group);
+  found_ = bindings_.found.empty() ? VK_NULL_HANDLE : bindings_.found[pass.group];
   if (pass.clearsLayers) view_.layerLists().clear(commands_, pass.band.index);
   useTargets(pass);
   begin(pass);
@@ -86,10 +88,11 @@ void PassRecorder::record(const Pass& pass) {
   vkCmdEndRendering(commands_);
   if (pass.countsLayers) view_.layerLists().keepCount(commands_, pass.band.index);
   if (pass.probes && ofShadows)
-    view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows), pass.group);
+    view_.feedback().recordShadowProbes(commands_, view_.targets().texture(Target::Shadows, slot_),
+                                        pass.group);
   else if (pass.probes && ofTransmittance)
-    view_.feedback().recordTransmittanceProbes(commands_, view_.targets().texture(Target::Transmittance),
-                                               pass.group);
+    view_.feedback().recordTransmittanceProbes(
+        commands_, view_.targets().texture(Target::Transmittance, slot_), pass.group);
   else if (pass.probes)
     view_.feedback().recordProbes(commands_, view_.targets().texture(Target::Depth));
   ++statistics_.count.passes;
@@ -109,8 +112,8 @@ void PassRecorder::useTargets(const Pass& pass) {
   else
     for (gpu::Buffer* buffer : view_.layerLists().buffers()) usages.push_back({*buffer, StorageWrite});
   for (const Attachment& color : pass.colors)
-    usages.push_back({targets.texture(color.target), ColorAttachment, contentsOf(color.begin)});
-  for (const Target target : pass.reads) usages.push_back({targets.texture(target), SampledFragment});
+    usages.push_back({targets.texture(color.target, slot_), ColorAttachment, contentsOf(color.begin)});
+  for (const Target target : pass.reads) usages.push_back({targets.texture(target, slot_), SampledFragment});
   if (gpu::Texture* resolved = targets.resolved())
     usages.push_back({*resolved, ResolveTarget, gpu::Contents::Discard});
   if (view_.list().runsShaders) usages.push_back({view_.faults(), StorageWrite});
@@ -127,13 +130,13 @@ void PassRecorder::begin(const Pass& pass) {
   std::vector<VkRenderingAttachmentInfo> colors;
   for (const Attachment& attachment : pass.colors) {
     const bool isPicture = attachment.target == Target::Color;
-    VkRenderingAttachmentInfo& color =
-        colors.emplace_back(VkRenderingAttachmentInfo{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                                      .imageView = targets.texture(attachment.target).view(),
-                                                      .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                                                      .loadOp = loadOf(attachment.begin),
-                                                      .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
-                                                      .clearValue = {.color = clearOf(attachment.target)}});
+    VkRenderingAttachmentInfo& color = colors.emplace_back(
+        VkRenderingAttachmentInfo{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                  .imageView = targets.texture(attachment.target, slot_).view(),
+                                  .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+                                  .loadOp = loadOf(attachment.begin),
+                                  .storeOp = VK_ATTACHMENT_STORE_OP_STORE,
+                                  .clearValue = {.color = clearOf(attachment.target)}});
     if (!isPicture || !targets.resolved()) continue;
     color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
     color.resolveImageView = targets.resolved()->view();
@@ -194,7 +197,7 @@ void PassRecorder::draw(const DrawBatch& batch) {
   bindPaint(pipeline, batch.state);
   if (batch.state.form == Form::Layer || batch.state.form == Form::LayerAgain)
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
-  if (batch.state.form == Form::Again) pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  if (batch.state.form == Form::Again) pipeline.bindSet(commands_, shared::kSetFound, found_);
   if (batch.shell) {
     pipeline.bindSet(commands_, shared::kSetExact, bindings_.exact);
     const shared::ShellDraw draw{batch.half == Half::Far ? -1.0f : 1.0f, view_.targets().guard()};
@@ -267,7 +270,7 @@ void PassRecorder::shade(const DrawState& state, std::size_t group, std::span<co
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   bindPaint(pipeline, state);
   if (state.form == Form::Shade || state.form == Form::Openness || state.form == Form::AddLight)
-    pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+    pipeline.bindSet(commands_, shared::kSetFound, found_);
   else
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   for (const PixelRect& area : areas) {
@@ -292,7 +295,7 @@ void PassRecorder::search(const CasterDraw& draw) {
   if (ofLayers)
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   else
-    pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+    pipeline.bindSet(commands_, shared::kSetFound, found_);
   setScissor(area);
   drawWhole(draw.caster);
   if (form != Form::Layer && form != Form::MeshPlace && form != Form::LayerPlace)
@@ -312,7 +315,7 @@ void PassRecorder::flattenShadow(const FlatShadowDraw& draw) {
     for (int row = 0; row < 2; ++row) pushed.shadow.clipFromObject[column][row] /= view_.targets().guard();
   pipeline.bind(commands_);
   bindPaint(pipeline, draw.state);
-  pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+  pipeline.bindSet(commands_, shared::kSetFound, found_);
   pipeline.push(commands_, std::as_bytes(std::span(&pushed, 1)));
   vkCmdSetCullMode(commands_, VK_CULL_MODE_NONE);
   vkCmdSetFrontFace(commands_, VK_FRONT_FACE_COUNTER_CLOCKWISE);
@@ -358,7 +361,7 @@ void PassRecorder::compareWithMap(Form form, std::size_t group) {
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
   pipeline.bindSet(commands_, shared::kSetShadow, bindings_.shadow);
   if (form == Form::LightMap)
-    pipeline.bindSet(commands_, shared::kSetFound, bindings_.found);
+    pipeline.bindSet(commands_, shared::kSetFound, found_);
   else
     pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
   drawWhole(static_cast<std::uint32_t>(group));

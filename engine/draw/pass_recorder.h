@@ -72,6 +72,8 @@ class PassRecorder {
   FrameStatistics& statistics_;
   // Of the pass.
   TargetFormat format_;
+  std::size_t slot_ = 0;                    ///< of the shadows of its group
+  VkDescriptorSet found_ = VK_NULL_HANDLE;  ///< with these
   PixelRect rows_;
 };
 

@@ -59,9 +59,8 @@ class DeferredPasses {
       : list_(list),
         frame_(frame),
         replaces_(replaces),
-        // The shadows of many groups share one target, which holds those of the last; and points of rays are
-        // compared with a map, too.
-        shadowsStay_(replaces && list.groups.size() == 1 && !list.hasLightMaps()) {}
+        // Points of rays are compared with a map, too.
+        shadowsStay_(replaces && list.keepsShadows() && !list.hasLightMaps()) {}
 
   [[nodiscard]] std::vector<Pass> of(std::span<const DrawBatch> found) && {
     const auto firstMesh = std::ranges::find_if(found, [](const DrawBatch& b) { return !b.finds(); });
@@ -144,18 +143,9 @@ class DeferredPasses {
                        .shades = kOpenness});
   }
 
-  /// Meshes that are drawn again ask for the shadows of every group: one without has to say so.
-  [[nodiscard]] bool againAsksForShadows(const LightGroup& group) const {
-    return !group.again.empty() && list_.findsShadows();
-  }
-
-  [[nodiscard]] bool asksForShadows(const LightGroup& group) const {
-    return !group.lights.empty() || group.transmits || againAsksForShadows(group);
-  }
-
   void findShadows(std::size_t index) {
     const LightGroup& group = list_.groups[index];
-    if (!asksForShadows(group)) return;
+    if (!list_.asksForShadows(group)) return;
     const std::size_t before = passes_.size();
     if (!shadowsStay_)
       passes_.push_back(occlusion("shadows", {Target::Shadows, Begin::Clear, gpu::Blend::Or}, index,
@@ -231,7 +221,7 @@ class DeferredPasses {
   [[nodiscard]] std::vector<Target> readsOf(const LightGroup& group) const {
     std::vector<Target> reads = foundTargets();
     if (list_.occludes) reads.push_back(Target::Openness);
-    if (asksForShadows(group)) reads.push_back(Target::Shadows);
+    if (list_.asksForShadows(group)) reads.push_back(Target::Shadows);
     if (group.transmits) reads.push_back(Target::Transmittance);
     return reads;
   }
@@ -251,9 +241,7 @@ class DeferredPasses {
 
   void drawAgain(std::size_t index) {
     const LightGroup& group = list_.groups[index];
-    std::vector<Target> reads = readsOf(group);
-    if (againAsksForShadows(group) && list_.findsTransmittances() && !group.transmits)
-      reads.push_back(Target::Transmittance);
+    const std::vector<Target> reads = readsOf(group);
     for (auto first = group.again.begin(); first != group.again.end();) {
       const auto end = std::find_if(first, group.again.end(), [&first](const DrawBatch& batch) {
         return !drawnTogether(batch.state, first->state);
@@ -280,7 +268,7 @@ class DeferredPasses {
 };
 
 /// What is seen through: its points are found, in any order, lit by one group of lights after the other, and
-/// blended over what is not.
+/// blended over what is not. `replaces`: they are there, and rays replace some, where there are any.
 void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, bool replaces,
                std::vector<Pass>& passes) {
   std::vector<Target> reads{Target::Depth};
@@ -332,7 +320,11 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
 }  // namespace
 
 std::vector<Pass> passesOf(const DrawList& list, const FrameDesc& frame) {
-  if (frame.relights) return DeferredPasses(list, frame, false).ofLight();
+  if (frame.relights) {
+    std::vector<Pass> passes = DeferredPasses(list, frame, false).ofLight();
+    if (list.layers.any()) addLayers(list, frame, {}, true, passes);
+    return passes;
+  }
   const Opaque opaque = opaqueOf(list);
   const bool searches = list.exact();
   std::vector<Pass> passes;

@@ -47,11 +47,11 @@ struct Pass {
   bool drawsLightMap = false, readsLightMap = false;  ///< of the group
   LayerBand band;
   bool clearsLayers = false, countsLayers = false;  ///< before it, and after it
-  const RayPoints* rays = nullptr;  ///< drawn after these; onto shadows, or into layers, theirs
-  std::span<const DrawState> shades;                ///< light on all that was found
-  std::span<const RayShadow> pixels;                ///< where not empty: light in these alone
-  bool asks = false;                                ///< its fragments may send rays into the scene
-  bool probes = false;                              ///< depths are copied from it, for the audit
+  const RayPoints* rays = nullptr;    ///< drawn after these; onto shadows, or into layers, theirs
+  std::span<const DrawState> shades;  ///< light on all that was found
+  std::span<const RayShadow> pixels;  ///< where not empty: light in these alone
+  bool asks = false;                  ///< its fragments may send rays into the scene
+  bool probes = false;                ///< depths are copied from it, for the audit
 };
 
 /// What kind of frame it is.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -45,6 +46,14 @@ void writeElements(gpu::Context& context, MirroredBuffer& buffer, const std::vec
 std::size_t lightStride(const gpu::Context& context) {
   const auto alignment = std::max<std::size_t>(context.limits().minUniformBufferOffsetAlignment, 1);
   return (sizeof(shared::LightSet) + alignment - 1) / alignment * alignment;
+}
+
+/// Of such groups, a bit each.
+std::uint32_t shadowSlots(const DrawList& list, const auto& isSuch) {
+  std::uint32_t slots = 0;
+  for (std::size_t i = 0; i < list.groups.size(); ++i)
+    if (std::invoke(isSuch, list.groups[i])) slots |= 1U << list.shadowSlot(i);
+  return slots;
 }
 
 /// Of the largest.
@@ -143,16 +152,17 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
   options_ = options;
   background_ = background;
   hasRays_ = false;
-  targets_.prepare(extent, static_cast<VkSampleCountFlagBits>(options.samples),
-                   {.deferred = list_.deferred,
-                    .footprints = list_.findsFootprints,
-                    .frames = list_.findsFrames,
-                    .shadows = list_.findsShadows(),
-                    .transmittance = list_.findsTransmittances(),
-                    .openness = list_.occludes,
-                    .moreLight = list_.addsLight(),
-                    .places = list_.findsPlaces,
-                    .lightDepth = extentOfLightMaps(list_)});
+  targets_.prepare(
+      extent, static_cast<VkSampleCountFlagBits>(options.samples),
+      {.deferred = list_.deferred,
+       .footprints = list_.findsFootprints,
+       .frames = list_.findsFrames,
+       .openness = list_.occludes,
+       .moreLight = list_.addsLight(),
+       .shadows = shadowSlots(list_, [&](const LightGroup& group) { return list_.asksForShadows(group); }),
+       .transmittances = shadowSlots(list_, &LightGroup::transmits),
+       .places = list_.findsPlaces,
+       .lightDepth = extentOfLightMaps(list_)});
   if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details);
   if (list_.traces) traces_.prepare(extent);
   if (list_.runsShaders && !faults_)
@@ -168,8 +178,8 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
 bool RenderView::hasFound(const Snapshot& snapshot, const DrawList& list, const DrawOptions& options,
                           const gpu::FrameRing& frames) const {
   return recorded_ && recorded_->frames == &frames && recorded_->thrownAway == frames.thrownAway() &&
-         options_ == options && keepsWhatItFinds(list) && findsAlike(recorded_->snapshot, snapshot) &&
-         findsAlike(list_, list);
+         options_ == options && keepsWhatItFinds(list) && (!list.layers.any() || layerLists_.bands() == 1) &&
+         findsAlike(recorded_->snapshot, snapshot) && findsAlike(list_, list);
 }
 
 void RenderView::recorded(const Snapshot& snapshot, const gpu::FrameRing& frames) {
@@ -303,28 +313,31 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   }
   if (list_.deferred) {
     gpu::Texture& found = targets_.texture(Target::Found);
-    gpu::Texture& shadows = list_.findsShadows() ? targets_.texture(Target::Shadows) : found;
     gpu::Texture& places = list_.findsShadows() ? targets_.texture(Target::Places) : found;
-    gpu::Texture& transmittance =
-        list_.findsTransmittances() ? targets_.texture(Target::Transmittance) : found;
     gpu::Texture& openness = list_.occludes ? targets_.texture(Target::Openness) : found;
     gpu::Texture& moreLight = list_.addsLight() ? targets_.texture(Target::MoreLight) : found;
     gpu::Texture& parameters =
         list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
     constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
     const gpu::Buffer& noTraces = uploads_.materials.use(*context_);  // something to bind
-    bindings.found = frames.descriptors().write(pipelines.layout(SceneSet::Found),
-                                                {{found, pipelines.texelSampler()},
-                                                 {parameters, pipelines.texelSampler()},
-                                                 {uploads_.materials.use(*context_), 0, kUniformBytes},
-                                                 {shadows, pipelines.texelSampler()},
-                                                 {transmittance, pipelines.texelSampler()},
-                                                 {places, pipelines.texelSampler()},
-                                                 {openness, pipelines.texelSampler()},
-                                                 list_.traces ? traces_.questions() : noTraces,
-                                                 list_.traces ? traces_.starts() : noTraces,
-                                                 list_.traces ? traces_.answers() : noTraces,
-                                                 {moreLight, pipelines.texelSampler()}});
+    for (std::size_t i = 0; i < list_.groups.size(); ++i) {
+      const LightGroup& group = list_.groups[i];
+      const std::size_t slot = list_.shadowSlot(i);
+      gpu::Texture& shadows = list_.asksForShadows(group) ? targets_.texture(Target::Shadows, slot) : found;
+      gpu::Texture& transmittance = group.transmits ? targets_.texture(Target::Transmittance, slot) : found;
+      bindings.found.push_back(frames.descriptors().write(
+          pipelines.layout(SceneSet::Found), {{found, pipelines.texelSampler()},
+                                              {parameters, pipelines.texelSampler()},
+                                              {uploads_.materials.use(*context_), 0, kUniformBytes},
+                                              {shadows, pipelines.texelSampler()},
+                                              {transmittance, pipelines.texelSampler()},
+                                              {places, pipelines.texelSampler()},
+                                              {openness, pipelines.texelSampler()},
+                                              list_.traces ? traces_.questions() : noTraces,
+                                              list_.traces ? traces_.starts() : noTraces,
+                                              list_.traces ? traces_.answers() : noTraces,
+                                              {moreLight, pipelines.texelSampler()}}));
+    }
   }
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, texels.get(list_.textures));
   if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines);

@@ -95,7 +95,7 @@ class RenderView {
     VkBuffer rayLayers = VK_NULL_HANDLE;            ///< and what is seen through there
     VkDescriptorSet layers = VK_NULL_HANDLE;        ///< where something is seen through
     VkDescriptorSet shadow = VK_NULL_HANDLE;        ///< where casters are looked for
-    VkDescriptorSet found = VK_NULL_HANDLE;         ///< what the passes of a deferred picture have found
+    std::vector<VkDescriptorSet> found;  ///< what the passes of a deferred picture have found, for each group
   };
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines, TexelStore& texels);
 

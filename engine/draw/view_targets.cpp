@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "draw/view_targets.h"
 
+#include <algorithm>
+#include <bit>
+
 #include "base/assert.h"
 
 namespace luxo {
@@ -80,8 +83,8 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
     foundFootprint_ = gpu::Texture();
     foundFrame_ = gpu::Texture();
     places_ = gpu::Texture();
-    shadows_ = gpu::Texture();
-    transmittance_ = gpu::Texture();
+    shadows_.clear();
+    transmittances_.clear();
     openness_ = gpu::Texture();
     moreLight_ = gpu::Texture();
   }
@@ -93,20 +96,24 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
                     .format = format_.depth,
                     .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
                     .name = "light depths"});
-  if (needs.transmittance && !fits(transmittance_, extent, VK_SAMPLE_COUNT_1_BIT))
-    transmittance_ =
-        make(kTransmittanceFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "transmittance");
+  const auto makeSlots = [&](std::vector<gpu::Texture>& textures, std::uint32_t wanted, VkFormat format,
+                             const char* name) {
+    textures.resize(std::max<std::size_t>(textures.size(), std::bit_width(wanted)));
+    for (std::size_t slot = 0; slot < textures.size(); ++slot)
+      if ((wanted >> slot & 1) != 0 && !fits(textures[slot], extent, VK_SAMPLE_COUNT_1_BIT))
+        textures[slot] = make(format, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, name);
+  };
+  makeSlots(shadows_, needs.shadows, kShadowsFormat, "shadows");
+  makeSlots(transmittances_, needs.transmittances, kTransmittanceFormat, "transmittance");
   if (needs.openness && !fits(openness_, extent, VK_SAMPLE_COUNT_1_BIT))
     openness_ = make(kOpennessFormat, kReadAgain, samples, "openness");
   if (needs.moreLight && !fits(moreLight_, extent, VK_SAMPLE_COUNT_1_BIT))
     moreLight_ = make(format_.color, kReadAgain, samples, "light of more lights");
-  if (needs.shadows && (!places_ || (needs.places && !fits(places_, extent, VK_SAMPLE_COUNT_1_BIT))))
+  if (needs.shadows != 0 && (!places_ || (needs.places && !fits(places_, extent, VK_SAMPLE_COUNT_1_BIT))))
     places_ = gpu::Texture(*context_, {.extent = needs.places ? extent : VkExtent2D{1, 1},
                                        .format = kPlacesFormat,
                                        .usage = kReadAgain,
                                        .name = "places of meshes"});
-  if (needs.shadows && !fits(shadows_, extent, VK_SAMPLE_COUNT_1_BIT))
-    shadows_ = make(kShadowsFormat, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, "shadows");
   if (needs.footprints && !fits(foundFootprint_, extent, VK_SAMPLE_COUNT_1_BIT))
     foundFootprint_ = make(kFoundFootprintFormat, kReadAgain, samples, "footprints of what is found");
   if (needs.frames && !fits(foundFrame_, extent, VK_SAMPLE_COUNT_1_BIT))
@@ -117,7 +124,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
   foundParameters_ = make(kFoundParametersFormat, kReadAgain, samples, "parameters of what is found");
 }
 
-gpu::Texture& ViewTargets::texture(Target target) {
+gpu::Texture& ViewTargets::texture(Target target, std::size_t slot) {
   switch (target) {
     case Target::Depth:
       return depth_;
@@ -132,9 +139,9 @@ gpu::Texture& ViewTargets::texture(Target target) {
     case Target::Places:
       return places_;
     case Target::Shadows:
-      return shadows_;
+      return shadows_[slot];
     case Target::Transmittance:
-      return transmittance_;
+      return transmittances_[slot];
     case Target::Openness:
       return openness_;
     case Target::MoreLight:

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "gpu/context.h"
 #include "gpu/pipeline.h"
@@ -64,13 +67,16 @@ class ViewTargets {
   struct Needs {
     bool deferred = false;  ///< Found, FoundParameters
     bool footprints = false, frames = false;
-    bool shadows = false, transmittance = false, openness = false, moreLight = false;
+    bool openness = false, moreLight = false;
+    /// Shadows and Transmittance, a bit for each of so many (DrawList::shadowSlot()).
+    std::uint32_t shadows = 0, transmittances = 0;
     bool places = false;         ///< with shadows; else there is one of a texel, to have something to bind
     VkExtent2D lightDepth = {};  ///< none: there is no map
   };
   void prepare(VkExtent2D extent, VkSampleCountFlagBits samples, const Needs& needs);
 
-  [[nodiscard]] gpu::Texture& texture(Target target);
+  /// `slot`: which of them, of shadows and what is let through.
+  [[nodiscard]] gpu::Texture& texture(Target target, std::size_t slot = 0);
   /// What Color is averaged into at the end of a pass; null without multisampling.
   [[nodiscard]] gpu::Texture* resolved() { return resolved_ ? &resolved_ : nullptr; }
   /// Scene-linear RGBA, one sample, row 0 at the top.
@@ -93,7 +99,8 @@ class ViewTargets {
   gpu::Context* context_;
   PictureFormat format_;
   gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, foundFrame_, places_,
-      shadows_, transmittance_, openness_, moreLight_, lightDepth_;
+      openness_, moreLight_, lightDepth_;
+  std::vector<gpu::Texture> shadows_, transmittances_;  ///< by slot
 };
 
 }  // namespace luxo

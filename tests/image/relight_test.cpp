@@ -80,22 +80,33 @@ std::vector<Edit> paintings() {
   return {[](Room& r) {
             r.materials[0].diffuse = {0.1, 0.9, 0.3};
           },
-          [](Room& r) { r.materials[0].specular = Vec3(0.4); },
-          [](Room& r) { r.materials[1].shininess = 3; },
+          [](Room& r) { r.materials[0].specular = Vec3(0.4); }, [](Room& r) { r.materials[1].shininess = 3; },
           [](Room& r) { r.materials[1].ambient = Vec3(0.9, 0, 0); },
           [](Room& r) {
             r.materials[2].diffusePattern = pattern([](auto u, auto) { return point(u, u * u, 0.5); });
           },
           [](Room& r) { r.materials[3].map.texture = chequered(0.6f); },
           [](Room& r) { r.materials[3].diffuse = Vec3(0.5, 1, 1); },
-          [](Room& r) { r.ambient = Vec3(0.4, 0.3, 0.1); },
-          [](Room& r) { r.background = Vec3(0.5, 0, 0); }};
+          [](Room& r) { r.ambient = Vec3(0.4, 0.3, 0.1); }, [](Room& r) { r.background = Vec3(0.5, 0, 0); },
+          // Where it tints light it is of what is found; see others().
+          [](Room& r) {
+            if (r.materials[1].blend == Blend::Over) r.materials[1].diffuse = Vec3(0.2, 0.3, 0.9);
+          }};
 }
 
 /// Of what is found, of shadows, of how.
 std::vector<Edit> others() {
   return {
       [](Room& r) { r.materials[1].opacity = r.materials[1].opacity == 1 ? 0.5 : 1; },
+      [](Room& r) { r.materials[1].opacity = r.materials[1].opacity * 0.9; },
+      [](Room& r) {
+        r.materials[1].opacity = 0.6;
+        r.materials[1].blend = r.materials[1].blend == Blend::Over ? Blend::Multiply : Blend::Over;
+      },
+      [](Room& r) {
+        r.materials[1].diffuse = Vec3(r.materials[1].diffuse.z, 0.5, 0.9 - r.materials[1].diffuse.x / 2);
+      },
+      [](Room& r) { r.light.shadowSamples = r.light.shadowSamples == 16 ? 40 : 16; },
       [](Room& r) { r.materials[3].mapOpacity = !r.materials[3].mapOpacity; },
       [](Room& r) {
         r.materials[3].mapOpacity = true;
@@ -161,6 +172,49 @@ TEST_F(Relighting, WhereMaterialsAloneChangeNothingIsFoundAgain) {
   }
 }
 
+TEST_F(Relighting, WhatIsSeenThroughAndTheLightThroughItStay) {
+  Room room;
+  room.materials[1].opacity = 0.5;
+  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.error.resolvedByRaysPx, 0U);
+  const std::vector<Edit> edits = paintings();
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    SCOPED_TRACE(i);
+    edits[i](room);
+    const Picture again = renderer().render(room.snapshot(), room.options), fresh = anew(room);
+    EXPECT_TRUE(sameBytes(again.image, fresh.image));
+    EXPECT_EQ(again.statistics.count.passes, 3U);  // light on both, and they are blended
+    EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
+    EXPECT_GT(fresh.statistics.count.shadowPasses, 0U);
+    EXPECT_EQ(again.statistics.error.layersMissing + again.statistics.error.unconvergedPx, 0U);
+    EXPECT_EQ(again.statistics.error.resolvedByRaysPx, fresh.statistics.error.resolvedByRaysPx);
+  }
+  // What lets something else of the light through is found anew.
+  const auto shadowPassesAfter = [&](const Edit& edit) {
+    edit(room);
+    const Picture picture = renderer().render(room.snapshot(), room.options);
+    EXPECT_TRUE(sameBytes(picture.image, anew(room).image));
+    return picture.statistics.count.shadowPasses;
+  };
+  EXPECT_GT(shadowPassesAfter([](Room& r) { r.materials[1].opacity = 0.7; }), 0U);
+  EXPECT_GT(shadowPassesAfter([](Room& r) { r.materials[1].blend = Blend::Multiply; }), 0U);
+  EXPECT_GT(shadowPassesAfter([](Room& r) { r.materials[1].diffuse.x = 0.9; }), 0U);
+  EXPECT_EQ(shadowPassesAfter(paintings()[0]), 0U);
+}
+
+TEST_F(Relighting, TheShadowsOfEachGroupOfLightsStay) {
+  Room room;
+  room.light.radius = 0.3;
+  room.light.shadowSamples = 40;
+  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
+  for (const Edit& edit : paintings()) {
+    edit(room);
+    const Picture again = renderer().render(room.snapshot(), room.options);
+    EXPECT_TRUE(sameBytes(again.image, anew(room).image));
+    EXPECT_EQ(again.statistics.count.passes, 2U);
+    EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
+  }
+}
+
 TEST_F(Relighting, InTheShadowsOfADepthMapToo) {
   Room room;
   room.light.shadow = Light::Shadow::Map;
@@ -201,11 +255,14 @@ TEST_F(Relighting, NothingIsLitAgainInThePlanarShadowOfWhatIsCutOut) {
 TEST_F(Relighting, WhateverIsEditedThePictureIsThatOfAFreshRenderer) {
   std::mt19937 random(5);
   const std::vector<Edit> paints = paintings(), finds = others();
-  for (int chain = 0; chain < 6; ++chain) {
+  for (int chain = 0; chain < 10; ++chain) {
     Room room;
     if (chain % 3 == 1) room.light.shadow = Light::Shadow::None;
     if (chain == 5) room.light.shadow = Light::Shadow::Map;
-    if (chain == 4) room.materials[1].opacity = 0.5;
+    if (chain == 4 || chain >= 6) room.materials[1].opacity = 0.5;
+    if (chain == 7) room.materials[1].blend = Blend::Multiply;
+    if (chain == 8) room.options.shading = Shading::Gouraud;
+    if (chain == 9) room.materials[3].mapOpacity = true;
     if (chain % 2 == 1) room.options.composition = Composition::Deferred;
     for (int step = 0; step < 10; ++step) {
       const bool paint = random() % 2 == 0;

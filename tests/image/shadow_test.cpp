@@ -425,7 +425,21 @@ TEST_F(ShadowTest, OfManyPointsAreTheTruth) {
   EXPECT_GE(found.verification.color.psnrLinear, 75);
   EXPECT_LE(found.verification.color.difference.p999, 1e-5);
   EXPECT_EQ(found.verification.wrong.total(), 0U);
-  EXPECT_EQ(found.statistics.count.shadowPasses, 420U);  // 3 casters of 70 lights, and again beside rays
+  EXPECT_EQ(found.statistics.count.shadowPasses, 210U);  // 3 casters of 70 lights: once, whatever rays find
+  EXPECT_GT(found.statistics.error.shadowRaysPx, 0U) << "no ray was asked: the test shows less than it says";
+}
+
+/// More than kKeptGroups groups share one target: beside rays their shadows are found again.
+TEST_F(ShadowTest, OfMorePointsThanAreKeptAreTheTruth) {
+  const Scene scene = sceneOf(R"(
+    { "surface": "torus", "material": "m", "translate": [0, 1.4, 0], "rotate": { "axis": [1, 0.3, 0], "angle": 0.9 } },
+    { "translate": [2, 6, 1], "light": { "intensity": 0.9, "shadow": "exact", "radius": 0.4, "shadow_samples": 130 } })");
+  const Snapshot snapshot = takeSnapshot(scene, 0, {120, 90});
+  const Verified found = verified(snapshot);
+  EXPECT_EQ(found.statistics.error.uncertifiedPx + found.statistics.error.unconvergedPx, 0U);
+  EXPECT_LE(found.verification.color.difference.p999, 1e-5);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_EQ(found.statistics.count.shadowPasses, 2U * 2 * 130);  // a floor, too
   EXPECT_GT(found.statistics.error.shadowRaysPx, 0U) << "no ray was asked: the test shows less than it says";
 }
 

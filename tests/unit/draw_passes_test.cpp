@@ -184,9 +184,8 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   list.groups[1].shadows.resize(2);
   EXPECT_EQ(namesOf({}), (Names{"found 0", "shadows 3", "shade 0", "shadows 2", "shade+ 0", "shade+ 0"}))
       << "light is added to light";
-  EXPECT_EQ(namesOf({.rays = &points}),
-            (Names{"rays+* 0", "shadows 3", "shade 0", "shadows 2", "shade+ 0", "shade+ 0"}))
-      << "the shadows of the first group are gone";
+  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shade 0", "shade+ 0", "shade+ 0"}))
+      << "each group's shadows stay";
   EXPECT_EQ(passesOf(list, {})[4].group, 1U);
 
   const std::vector<Pass> passes = passesOf(list, {});
@@ -194,6 +193,26 @@ TEST(Passes, ShadowsAreFoundBetweenPointsAndLight) {
   EXPECT_EQ(passes[1].reads, (std::vector{Target::Found, Target::Places}));
   EXPECT_TRUE(passes[1].searches) << "what it leaves open is told";
   EXPECT_EQ(passes[2].reads, (std::vector{Target::Found, Target::Shadows}));
+
+  list.groups.resize(kKeptGroups + 1);
+  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays+* 0", "shadows 3", "shade 0", "shadows 2", "shade+ 0",
+                                               "shade+ 0", "shade+ 0", "shade+ 0"}))
+      << "of so many groups those of the first are gone";
+}
+
+TEST(Passes, GroupsOfLightsHaveTargetsOfTheirOwnWhereTheyAreFew) {
+  DrawList list = deferredList();
+  list.groups.resize(kKeptGroups);
+  EXPECT_TRUE(list.keepsShadows());
+  EXPECT_EQ(list.shadowSlot(kKeptGroups - 1), kKeptGroups - 1);
+  EXPECT_FALSE(list.asksForShadows(list.groups[1]));
+  list.groups[0].lights.resize(1);
+  EXPECT_TRUE(list.asksForShadows(list.groups[0]) && !list.asksForShadows(list.groups[1]));
+  list.groups[1].again.resize(1);
+  EXPECT_TRUE(list.asksForShadows(list.groups[1])) << "what is drawn again asks for all";
+  list.groups.resize(kKeptGroups + 1);
+  EXPECT_FALSE(list.keepsShadows());
+  EXPECT_EQ(list.shadowSlot(kKeptGroups), 0U);
 }
 
 /// How the colours of every pass join those that are there, one word for each of its targets.
@@ -315,6 +334,10 @@ TEST(Passes, WhatIsSeenThroughIsBlendedUnlessItIsOfTheGeometry) {
   list.layers.searches.resize(1);
   EXPECT_EQ(joined(passesOf(list, {})),
             (Names{"found none", "layers", "blend layers through", "transparent color"}));
+  list.groups[0].layerShadows.resize(2);
+  list.groups[0].layerShades.resize(1);
+  EXPECT_EQ(joined(passesOf(list, {.relights = true})), (Names{"shade layers", "blend layers through"}));
+  list.groups[0] = {};
   list.layers.blend.output = list.transparent[0].state.output = Output::Depth;
   EXPECT_EQ(joined(passesOf(list, {})),
             (Names{"found none", "layers", "blend layers none", "transparent none"}));
