@@ -171,7 +171,8 @@ class Run {
                           light_);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
-      if (request_.aov == Output::Color)
+      // Rays find the exact ones, whatever the light asks for.
+      if (request_.aov == Output::Color && request_.engine != Engine::Reference)
         report_.frames[index].approximateShadows = approximateShadows(snapshot);
       const double animate = watch.milliseconds();
       std::optional<MadePicture> picture = engine.make(snapshot);
