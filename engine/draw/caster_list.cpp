@@ -188,13 +188,13 @@ void CasterList::addCells(const CasterCells& cells, const Surface& surface) {
     const double hu = 0.5 * cell.domain.u.width(), hv = 0.5 * cell.domain.v.width();
     const Patch& of = surface.patches()[cell.patch];
     const double originOfU = of.general ? 0 : of.originOfU();
-    list_.casters.cells.push_back(
-        {.middle = Vec2f(cell.domain.u.lo - originOfU + hu, cell.domain.v.lo + hv),
-         .half_ = Vec2f(hu, hv) * kUp,
-         .bend = cell.proven() ? Vec3f(cell.uu, cell.uv, cell.vv) * kUp : Vec3f(-1),
-         .patch_ = cell.patch,
-         .originOfU = static_cast<float>(originOfU),
-         .outward = static_cast<float>(surface.topology().orientation(cell.patch))});
+    list_.casters.cells.push_back({.middle = Vec2f(cell.domain.u.lo - originOfU + hu, cell.domain.v.lo + hv),
+                                   .half_ = Vec2f(hu, hv) * kUp,
+                                   .bend = cell.proven() ? Vec3f(cell.uu, cell.uv, cell.vv) * kUp : Vec3f(-1),
+                                   .patch_ = cell.patch,
+                                   .originOfU = static_cast<float>(originOfU),
+                                   .outward = static_cast<float>(surface.topology().orientation(cell.patch)),
+                                   .bendsAway = static_cast<float>(cell.bendsAway)});
   }
 }
 

@@ -46,7 +46,11 @@ class Cutter {
     }
     for (Part& part : open_) done_.push_back(std::move(part.cell));
     made.cells = std::move(done_);
-    for (const CasterCell& cell : made.cells) {
+    // No point of a convex one, or of a plane, that faces a light is in its own shadow.
+    const bool shadowsItself = !made.convex && !made.flatNormal;
+    for (CasterCell& cell : made.cells) {
+      if (shadowsItself && cell.proven())
+        cell.bendsAway = surface_.bendsAwayFrom(cell.patch, cell.domain, parameters_);
       made.bounds.add(cell.middle - cell.reach);
       made.bounds.add(cell.middle + cell.reach);
     }

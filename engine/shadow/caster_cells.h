@@ -30,10 +30,11 @@ struct CasterCell {
   Domain domain;
   /// Suprema of |Suu|, |Suv|, |Svv| per square of the parameters' units; infinite where nothing is proven.
   double uu = 0, uv = 0, vv = 0;
-  Vec3 middle{0};   ///< the middle point
-  Vec3 reach{0};    ///< no point of the cell is farther from the middle, by axis; infinite if unknown
-  Vec3 a{0}, b{0};  ///< of a triangle: 0
-  double bend = 0;  ///< infinite where nothing is proven: a and b are 0 then
+  Vec3 middle{0};     ///< the middle point
+  Vec3 reach{0};      ///< no point of the cell is farther from the middle, by axis; infinite if unknown
+  Vec3 a{0}, b{0};    ///< of a triangle: 0
+  double bend = 0;    ///< infinite where nothing is proven: a and b are 0 then
+  int bendsAway = 0;  ///< Surface::bendsAwayFrom()
 
   [[nodiscard]] bool proven() const;
 };

@@ -151,21 +151,38 @@ TangentBounds boundTangents(const Interval& u, const Interval& v, std::span<cons
           .dv = boxAround<4, 3>(dv, s, v, magnitude)};
 }
 
-std::array<double, 3> boundSecond(const Interval& u, const Interval& v, std::span<const double> inputs) {
-  const Net<4, 4> p = netOf(inputs);
+/// Of the second derivatives.
+struct SecondNets {
   Net<2, 4> uu;
   Net<3, 3> uv;
   Net<4, 2> vv;
+  double magnitude = 0;  ///< of the numbers that they are differences of
+};
+
+SecondNets secondNets(const Net<4, 4>& p) {
+  SecondNets nets{.magnitude = 36 * longest<4, 4>(p)};
+  auto& [uu, uv, vv, magnitude] = nets;
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 2; ++i) uu[j][i] = 6.0 * (p[j][i] - 2.0 * p[j][i + 1] + p[j][i + 2]);
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) uv[j][i] = 9.0 * ((p[j + 1][i + 1] - p[j + 1][i]) - (p[j][i + 1] - p[j][i]));
   for (int j = 0; j < 2; ++j)
     for (int i = 0; i < 4; ++i) vv[j][i] = 6.0 * (p[j][i] - 2.0 * p[j + 1][i] + p[j + 2][i]);
+  return nets;
+}
+
+std::array<double, 3> boundSecond(const Interval& u, const Interval& v, std::span<const double> inputs) {
+  const SecondNets nets = secondNets(netOf(inputs));
   const Interval s = local(u, inputs);
-  const double magnitude = 36 * longest<4, 4>(p);
-  return {lengthBound<2, 4>(uu, s, v, magnitude), lengthBound<3, 3>(uv, s, v, magnitude),
-          lengthBound<4, 2>(vv, s, v, magnitude)};
+  return {lengthBound<2, 4>(nets.uu, s, v, nets.magnitude), lengthBound<3, 3>(nets.uv, s, v, nets.magnitude),
+          lengthBound<4, 2>(nets.vv, s, v, nets.magnitude)};
+}
+
+SecondBounds boundSecondBoxes(const Interval& u, const Interval& v, std::span<const double> inputs) {
+  const SecondNets nets = secondNets(netOf(inputs));
+  const Interval s = local(u, inputs);
+  return {boxAround<2, 4>(nets.uu, s, v, nets.magnitude), boxAround<3, 3>(nets.uv, s, v, nets.magnitude),
+          boxAround<4, 2>(nets.vv, s, v, nets.magnitude)};
 }
 
 /// Compiled once, for all patches of all surfaces.
@@ -174,7 +191,10 @@ std::shared_ptr<const SurfaceFunction> bezierFunction() {
     Graph graph;
     const ExprPoint position = bezierPosition(graph);
     return compileSurface(graph, position,
-                          {.position = boundPosition, .tangents = boundTangents, .second = boundSecond},
+                          {.position = boundPosition,
+                           .tangents = boundTangents,
+                           .second = boundSecond,
+                           .secondBoxes = boundSecondBoxes},
                           kLowerU);
   }();
   return function;

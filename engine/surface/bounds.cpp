@@ -146,6 +146,14 @@ PartialBounds boundSecond(const SurfaceFunction& function, const Domain& cell,
   return {lengthBound(p, 0), lengthBound(p, 3), lengthBound(p, 6)};
 }
 
+SecondBounds boundSecondBoxes(const SurfaceFunction& function, const Domain& cell,
+                              std::span<const double> inputs) {
+  if (function.bounder.secondBoxes) return function.bounder.secondBoxes(cell.u, cell.v, inputs);
+  std::array<Interval, 9> p;
+  function.second.bound(cell.u, cell.v, inputs, p);
+  return {boxOf({p[0], p[1], p[2]}), boxOf({p[3], p[4], p[5]}), boxOf({p[6], p[7], p[8]})};
+}
+
 bool mayBeKinked(const SurfaceFunction& function, const Domain& cell, std::span<const double> inputs) {
   const std::size_t count = function.guardAtIntegers.size();
   if (count == 0) return false;

@@ -28,6 +28,10 @@ namespace luxo {
 [[nodiscard]] PartialBounds boundSecond(const SurfaceFunction& function, const Domain& cell,
                                         std::span<const double> inputs);
 
+/// Boxes that hold these derivatives all over a cell; infinite where nothing is proven. Cost: the same.
+[[nodiscard]] SecondBounds boundSecondBoxes(const SurfaceFunction& function, const Domain& cell,
+                                            std::span<const double> inputs);
+
 /// Whether the formula may be kinked or jump inside the cell. A kink along the cell's edge, which both sides
 /// reach with the same value, does not count; a jump there does.
 [[nodiscard]] bool mayBeKinked(const SurfaceFunction& function, const Domain& cell,

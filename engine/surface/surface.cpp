@@ -280,6 +280,39 @@ Surface::CellBounds Surface::boundCell(std::uint32_t patch, const Domain& cell,
   return bounds;
 }
 
+/// With N = Su x Sv, N . Sww of every direction w has the sign of the side that the surface bends toward: the
+/// second fundamental form, times |N|. It is definite where N . Suu and N . Svv have one sign, and their
+/// product is above (N . Suv)^2. All over the cell, N is within a ball around that of its middle.
+int Surface::bendsAwayFrom(std::uint32_t patch, const Domain& cell,
+                           std::span<const double> parameters) const {
+  constexpr double kRounding =
+      1e-6;  // of each product: more than doubles lose, and floats of the cell's ends
+  const Patch& p = patches()[patch];
+  const PatchInputs inputs(p, parameters);
+  if (mayBeKinked(*p.function, cell, inputs)) return 0;
+  const SecondBounds second = boundSecondBoxes(*p.function, cell, inputs);
+  const auto most = [](const Box& box) {
+    return glm::length(glm::max(glm::abs(box.min), glm::abs(box.max)));
+  };
+  const double u = cell.u.mid(), v = cell.v.mid(), hu = 0.5 * cell.u.width(), hv = 0.5 * cell.v.width();
+  const SurfacePoints at = evaluate(patch, {&u, 1}, {&v, 1}, parameters);
+  const Vec3 du = at.du[0], dv = at.dv[0], normal = glm::cross(du, dv);
+  const double uu = most(second.uu), uv = most(second.uv), vv = most(second.vv);
+  const double turnU = uu * hu + uv * hv, turnV = uv * hu + vv * hv;
+  const double off = turnU * (glm::length(dv) + turnV) + glm::length(du) * turnV;
+  const auto along = [&](const Box& box, double longest) {
+    const Vec3 a = normal * box.min, b = normal * box.max;
+    const double slack = (off + kRounding * glm::length(normal)) * longest;
+    const Vec3 low = glm::min(a, b), high = glm::max(a, b);
+    return Interval(low.x + low.y + low.z - slack, high.x + high.y + high.z + slack);
+  };
+  if (!(uu + uv + vv + off < std::numeric_limits<double>::infinity())) return 0;
+  const Interval ofU = along(second.uu, uu), ofBoth = along(second.uv, uv), ofV = along(second.vv, vv);
+  const double mixed = ofBoth.magnitude();
+  if (ofU.hi < 0 && ofV.hi < 0 && ofU.hi * ofV.hi > mixed * mixed) return 1;
+  return ofU.lo > 0 && ofV.lo > 0 && ofU.lo * ofV.lo > mixed * mixed ? -1 : 0;
+}
+
 Box Surface::boundPosition(std::uint32_t patch, const Domain& cell,
                            std::span<const double> parameters) const {
   const Patch& p = patches()[patch];

@@ -179,6 +179,11 @@ class Surface {
   /// constants.
   [[nodiscard]] CellBounds boundCell(std::uint32_t patch, const Domain& cell,
                                      std::span<const double> parameters) const;
+  /// The side of Su x Sv, +1, or the other, -1, that the surface bends away from all over the cell, whichever
+  /// way one goes along it: a line that leaves it there does not meet it again in the cell, as far as that is
+  /// a graph over some plane. 0: not proven. Cost: an interval evaluation.
+  [[nodiscard]] int bendsAwayFrom(std::uint32_t patch, const Domain& cell,
+                                  std::span<const double> parameters) const;
   /// Box that provably holds the surface over the cell; empty where it has no points there, infinite where
   /// nothing could be proven.
   [[nodiscard]] Box boundPosition(std::uint32_t patch, const Domain& cell,

@@ -22,6 +22,11 @@ struct TangentBounds {
   Box du, dv;
 };
 
+/// Boxes that hold Suu, Suv and Svv all over a rectangle.
+struct SecondBounds {
+  Box uu, uv, vv;
+};
+
 /// Rigorous bounds over a rectangle of parameters, which may reach a millionth beyond the patch's domain.
 /// `inputs` are the values of variables 2, 3, ...
 struct SurfaceBounder {
@@ -30,6 +35,8 @@ struct SurfaceBounder {
   /// Of |Suu|, |Suv|, |Svv|.
   std::function<std::array<double, 3>(const Interval& u, const Interval& v, std::span<const double> inputs)>
       second;
+  std::function<SecondBounds(const Interval& u, const Interval& v, std::span<const double> inputs)>
+      secondBoxes;
 };
 
 struct SurfaceFunction {

@@ -263,6 +263,7 @@ struct CasterCell {
   vec3 bend;           // suprema of |Suu|, |Suv|, |Svv|; the first below 0: nothing is proven
   uint patch_;
   float originOfU, outward;  // outward: +1 or -1, times Su x Sv
+  float bendsAway;           // from that side of Su x Sv, +1 or -1, everywhere; 0: not proven
 };
 
 // Pushed to the shaders of a shadow that is flattened onto a plane.
@@ -500,7 +501,7 @@ static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kF
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 40 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 92 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(CasterCell) == 44 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 92 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);
 static_assert(sizeof(LightSet) == 2816 && sizeof(SpotData) == 32 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1664 && offsetof(LightSet, spots) == 1792);
