@@ -171,9 +171,8 @@ class Run {
                           light_);
       if (sampleOffset_) snapshot.view = sampledAt(snapshot.view, *sampleOffset_);
       report_.frames[index].cutNumbers = snapshot.cutNumbers;
-      // Rays find the exact ones, whatever the light asks for.
-      if (request_.aov == Output::Color && request_.engine != Engine::Reference)
-        report_.frames[index].approximateShadows = approximateShadows(snapshot);
+      if (request_.aov == Output::Color)
+        report_.frames[index].approximateShadows = approximateShadowsOf(snapshot);
       const double animate = watch.milliseconds();
       std::optional<MadePicture> picture = engine.make(snapshot);
       if (!picture) return report_.frames.pop_back();
@@ -265,6 +264,12 @@ class Run {
       printError(Error(error.kind(), fmt::format("frame {}: {}", report_.frames[index].frame, error.what()),
                        error.hint()));
     }
+  }
+
+  /// The reference casts the exact ones that maps estimate.
+  [[nodiscard]] std::uint64_t approximateShadowsOf(const Snapshot& snapshot) const {
+    return request_.engine == Engine::Reference ? approximateShadows(withoutShadowMaps(snapshot))
+                                                : approximateShadows(snapshot);
   }
 
   void announce(const FrameReport& frame) const {

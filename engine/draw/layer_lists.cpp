@@ -2,6 +2,7 @@
 #include "draw/layer_lists.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 #include "gpu/barrier.h"
@@ -122,6 +123,12 @@ std::vector<std::vector<shared::LayerPoint>> LayerLists::pointsAt(std::span<cons
       std::memcpy(&list.emplace_back(), all.data() + sizeof list[0] * index, sizeof list[0]);
   }
   return points;
+}
+
+void LayerLists::goOn(VkCommandBuffer commands) {
+  gpu::use(commands, {{count_, gpu::Use::TransferDestination}});
+  vkCmdFillBuffer(commands, count_, offsetof(shared::LayerCount, ended), sizeof(shared::LayerCount::ended),
+                  0);
 }
 
 void LayerLists::clear(VkCommandBuffer commands, std::uint32_t band) {

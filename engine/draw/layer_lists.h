@@ -50,6 +50,8 @@ class LayerLists {
   /// What pixels have in their lists, in that order; of no pixel where they are of many bands.
   [[nodiscard]] std::vector<std::vector<shared::LayerPoint>> pointsAt(std::span<const PixelPlace> pixels);
 
+  /// The lists are lit again: forgets which loops over them the device has ended.
+  void goOn(VkCommandBuffer commands);
   /// A band begins: empties the lists.
   void clear(VkCommandBuffer commands, std::uint32_t band);
   /// It ends: keeps how many points it had.

@@ -50,7 +50,11 @@ auto Refinement::draw(const Submit& submit) -> std::optional<Rays> {
   if (trial_ != Trial::ByRays) search(submit);
   next_ = &Refinement::trace;
   if (auto before = std::exchange(before_, std::nullopt); before && view_->relit()) {
+    // Loops over what is seen through may have been ended, which were not.
+    const std::uint64_t missing = statistics_.error.layersMissing;
     std::tie(points_, statistics_.error) = std::move(*before);
+    statistics_.error.layersMissing += missing;
+    statistics_.error.unconvergedPx += missing;
     return std::nullopt;
   }
   if (!view_->searches() && !view_->list().findsShadows()) return std::nullopt;

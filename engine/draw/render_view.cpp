@@ -140,8 +140,20 @@ shared::ShaderFaults RenderView::shaderFaults() {
   return faults;
 }
 
-bool RenderView::makeRoomFor(const RayPoints& points) {
-  return list_.layers.any() && layerLists_.makeRoom(points.layerPoints.size());
+bool RenderView::makeRoom() { return makeRoomForMore(0); }
+
+bool RenderView::makeRoomFor(const RayPoints& points) { return makeRoomForMore(points.layerPoints.size()); }
+
+bool RenderView::makeRoomForMore(std::size_t points) {
+  const bool isMade = list_.layers.any() && layerLists_.makeRoom(points);
+  if (isMade) recorded_.reset();
+  return isMade;
+}
+
+LayerLists::Found RenderView::layerPoints() {
+  const LayerLists::Found found = list_.layers.any() ? layerLists_.found() : LayerLists::Found{};
+  if (found.missing > 0) recorded_.reset();
+  return found;
 }
 
 void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearColorValue& background,

@@ -45,12 +45,11 @@ class RenderView {
   [[nodiscard]] const DrawList& list() const { return list_; }
   [[nodiscard]] const DrawOptions& options() const { return options_; }
   /// Whether what is seen through had no room in the last recording, which has to be complete, but will have
-  /// in the next.
-  [[nodiscard]] bool makeRoom() { return list_.layers.any() && layerLists_.makeRoom(); }
-  /// How many points of it there are in that, and are not, for want of room.
-  [[nodiscard]] LayerLists::Found layerPoints() {
-    return list_.layers.any() ? layerLists_.found() : LayerLists::Found{};
-  }
+  /// in the next, which finds all anew.
+  [[nodiscard]] bool makeRoom();
+  /// How many points of it there are in that, and are not, for want of room. Where some are not, the next
+  /// recording finds all anew.
+  [[nodiscard]] LayerLists::Found layerPoints();
   /// Whether there has to be more room for what rays have found, and will be when all is recorded anew.
   [[nodiscard]] bool makeRoomFor(const RayPoints& points);
   /// Whether it finds surfaces, by searches or by rays.
@@ -118,6 +117,7 @@ class RenderView {
         gridEntries, casterCells, casterParameters, lightMaps;
   };
 
+  [[nodiscard]] bool makeRoomForMore(std::size_t points);
   /// To those of layers, where the lists have been copied.
   void addMeshPoints(std::vector<Doubt>& doubts);
   void upload(bool always);

@@ -147,6 +147,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
     gpu::use(commands, {{view.faults(), gpu::Use::TransferDestination}});
     vkCmdFillBuffer(commands, view.faults(), 0, VK_WHOLE_SIZE, 0);
   }
+  if (frame.relights && view.list().layers.any()) view.layerLists().goOn(commands);
   PassRecorder recorder(*context_, pipelines_, store_, view, bindings, commands, statistics);
   for (const Pass& pass : passesOf(view.list(), frame)) {
     frames.mark(pass.name);

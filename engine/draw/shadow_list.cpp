@@ -339,8 +339,10 @@ class ShadowLister {
     const Material& material = materialOf(node);
     const bool transmits = material.letsLightThrough();
     if (transmits) {
-      caster.flags |= material.blend == Blend::Multiply ? shared::kTintsLight : 0;
-      caster.diffuse = Vec3f(material.diffuse);
+      if (material.blend == Blend::Multiply) {
+        caster.flags |= shared::kTintsLight;
+        caster.diffuse = Vec3f(material.diffuse);
+      }
       caster.opacity = static_cast<float>(material.opacity);
       caster.leastOpaque = static_cast<float>(material.leastOpaque());
       if (const Paint paint = Paint::ofCaster(material); paint.valid()) {

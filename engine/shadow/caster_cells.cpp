@@ -18,6 +18,9 @@ namespace {
 constexpr double kRounding = 1e-14;
 /// Halvings of a patch, both ways together.
 constexpr std::uint32_t kMaxLevels = 32;
+/// Of a cell's sides, to prove which way it bends. Measured, of the teapot's pixels whose shadows rays found
+/// as the light grazes what is convex: 111 need none, 205 two, 20 four.
+constexpr int kBendHalvings = 2;
 
 /// The same bounds as the map's, of the tile that holds a smaller one.
 const Curvature& boundOf(const CurvatureMap& map, std::uint32_t patch, Tile tile) {
@@ -46,11 +49,11 @@ class Cutter {
     }
     for (Part& part : open_) done_.push_back(std::move(part.cell));
     made.cells = std::move(done_);
-    // No point of a convex one, or of a plane, that faces a light is in its own shadow.
-    const bool shadowsItself = !made.convex && !made.flatNormal;
+    // No point of a convex one, or of a plane, that faces a light is in its own shadow. What changes with its
+    // parameters is cut again in every frame, and has fewer proofs.
+    const bool shadowsItself = !made.convex && !made.flatNormal && parameters_.empty();
     for (CasterCell& cell : made.cells) {
-      if (shadowsItself && cell.proven())
-        cell.bendsAway = surface_.bendsAwayFrom(cell.patch, cell.domain, parameters_);
+      if (shadowsItself && cell.proven()) cell.bendsAway = bendsAway(cell.patch, cell.domain, kBendHalvings);
       made.bounds.add(cell.middle - cell.reach);
       made.bounds.add(cell.middle + cell.reach);
     }
@@ -110,6 +113,18 @@ class Cutter {
                                        : tile.levelU >= map_.levelU() && tile.levelV >= map_.levelV();
     if (deepest || !(size_ > 0)) part.excess = 0;
     return part;
+  }
+
+  /// Of a rectangle, or of all its quarters.
+  int bendsAway(std::uint32_t patch, const Domain& d, int halvings) const {
+    const int whole = surface_.bendsAwayFrom(patch, d, parameters_);
+    if (whole != 0 || halvings == 0) return whole;
+    const double u = d.u.mid(), v = d.v.mid();
+    const int first = bendsAway(patch, {{d.u.lo, u}, {d.v.lo, v}}, halvings - 1);
+    for (const Domain& quarter :
+         {Domain{{u, d.u.hi}, {d.v.lo, v}}, {{d.u.lo, u}, {v, d.v.hi}}, {{u, d.u.hi}, {v, d.v.hi}}})
+      if (first == 0 || bendsAway(patch, quarter, halvings - 1) != first) return 0;
+    return first;
   }
 
   /// By the box that intervals give.

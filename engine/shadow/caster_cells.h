@@ -34,7 +34,7 @@ struct CasterCell {
   Vec3 reach{0};      ///< no point of the cell is farther from the middle, by axis; infinite if unknown
   Vec3 a{0}, b{0};    ///< of a triangle: 0
   double bend = 0;    ///< infinite where nothing is proven: a and b are 0 then
-  int bendsAway = 0;  ///< Surface::bendsAwayFrom()
+  int bendsAway = 0;  ///< Surface::bendsAwayFrom(), of all its parts; 0 of a surface with parameters
 
   [[nodiscard]] bool proven() const;
 };

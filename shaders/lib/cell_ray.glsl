@@ -46,14 +46,13 @@ struct CellRay {
   vec2 grain;             // metres: at `from`; what it grows by in a metre
   float aslant;           // how many times as much what is off at `from` may be off in the picture
   bool isSight;           // and no light
-  vec3 litSide;           // of the point's own surface, a normal as a direction of the object; 0: its light falls aslant, if at all
 };
 
 // T. Duff et al., "Building an orthonormal basis, revisited", 2017.
 CellRay cellRay(vec3 from, vec3 along) {
   float s = along.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + along.z), b = along.x * along.y * a;
   return CellRay(from, along, vec3(1.0 + s * along.x * along.x * a, s * b, -s * along.x),
-                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), 1.0, false, vec3(0));
+                 vec3(b, s + along.y * along.y * a, -along.y), 0.0, 0.0, 0.0, 0.0, vec2(0), 1.0, false);
 }
 
 // Told of every meeting, with its parameters, less originOfU; `atBorder`, of sight: a neighbouring rectangle may have it, too.
@@ -74,11 +73,11 @@ bool mayTurnBack = false;  // one of these may be two
 // Whether a second meeting may be as near to a point's own as that. Over the plane that touches the surface the ray rises by
 // its sine times the way, and the surface by half its curvature times the way squared, at most: they meet again no nearer than
 // 2 sines / curvature. Own meetings are within twice `own`; `least`: the part of the sine here that is left of it anywhere in
-// the rectangle. However aslant it leaves, it does not turn back on the side that the surface bends away from: its height over
-// that is a convex function of the way, then, of whose two zeros the one at which it rises is the last.
+// the rectangle, which has the same sign all over. On the side that the surface bends away from, all over the cell, the ray's
+// height over that is a convex function of the way: where it rises it goes on to do so, however little, and does not turn back.
 bool turnsBack(CellRay ray, CasterCell cell, vec3 Su, vec3 Sv, float own, float least) {
   vec3 across = cross(Su, Sv);
-  if (cell.bendsAway * dot(across, ray.litSide) > 0.0) return false;
+  if (cell.bendsAway * dot(across, ray.along) > 0.0) return false;
   float perSquared = 1.0 / max(dot(across, across), 1e-37);
   // What u and v move by in a metre along the ray, flattened.
   vec2 way = vec2(dot(cross(ray.along, Sv), across), dot(cross(Su, ray.along), across)) * perSquared;

@@ -40,7 +40,6 @@ int shadowAt(vec3 position, vec3 normal, float depth, bool isOwn) {
   // What is off at the caster is off by more behind it, as the light spreads.
   ray.grain = kGrain * vec2(width, has(kParallelLight) ? 0.0 : -width / max(distance_, 1e-37));
   ray.aslant = length(sightOfPixel());
-  if (isOwn && cosine > kLeastCosine) ray.litSide = inObject(vec4(normal, 0));
   evaluationsLeft = kMaxEvaluations;
   ownMeetings = besideMeetings = 0;
   mayTurnBack = false;

@@ -151,6 +151,18 @@ TEST_F(ReferenceEngine, ShadowsOfMapsAreTheExactOnes) {
   EXPECT_NE(picture("map"), picture("none"));
 }
 
+// What is flattened onto a plane is on that alone, for rays, too.
+TEST_F(ReferenceEngine, ShadowsOnAPlaneAreToldNotToBeExact) {
+  writeText(folder / "ball.luxo.json", R"({ "luxo": 1,
+    "surfaces": { "floor": { "type": "rectangle", "size": [8, 8] }, "ball": { "type": "sphere" } },
+    "nodes": [ { "name": "floor", "surface": "floor" }, { "surface": "ball", "translate": [0, 2, 0] },
+               { "translate": [1, 6, 1], "light": { "shadow": "planar", "shadow_plane": "floor" } } ] })");
+  const Outcome outcome =
+      run(folder, {"render", "ball.luxo.json", "-o", "a.pfm", "--size", "8x6", "--engine", "reference"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("not exact"), std::string::npos) << outcome.err;
+}
+
 // Hours of work, stopped after a moment: there is no picture, whole or half.
 TEST_F(ReferenceEngine, StopsInTheMiddleOfAPicture) {
   RunningProgram program({.arguments = {"render", "luxo-grandpa", "--engine", "reference", "--samples", "256",

@@ -201,6 +201,27 @@ TEST_F(Relighting, WhatIsSeenThroughAndTheLightThroughItStay) {
   EXPECT_EQ(shadowPassesAfter(paintings()[0]), 0U);
 }
 
+/// The first picture lacks room for most of its points, and is drawn again: with nothing kept.
+TEST_F(Relighting, WhatLackedRoomIsFoundAnewFirst) {
+  Scene scene;
+  scene.set(RenderSettings{.ambient = Vec3(0.2)});
+  const MaterialId glass = scene.add(Material{.opacity = 0.3, .twoSided = TwoSided::Yes});
+  for (int i = 0; i < 9; ++i)
+    scene.add(Node{.translation = Vec3(0, 0.1 * i, 0), .surface = rectangle(8, 8), .material = glass});
+  scene.add(Node{.translation = Vec3(1, 4, 1), .light = Light{}});
+  const Camera camera{.eye = Vec3(0, 5, 0.5), .lookAt = Vec3(0, 0, 0)};
+  const auto picture = [&](Renderer& by) { return by.render(takeSnapshot(scene, 0, kRelightSize, camera)); };
+  EXPECT_GT(picture(renderer()).statistics.count.layerPoints, 4U * 64 * 48) << "they fit into the first room";
+  for (const double red : {0.2, 0.9}) {
+    scene.set(glass, Material{.diffuse = {red, 0.5, 0.5}, .opacity = 0.3, .twoSided = TwoSided::Yes});
+    const Picture again = picture(renderer());
+    Renderer fresh(context());
+    EXPECT_TRUE(sameBytes(again.image, picture(fresh).image));
+    EXPECT_EQ(again.statistics.count.passes, 3U);
+    EXPECT_EQ(again.statistics.error.layersMissing, 0U);
+  }
+}
+
 TEST_F(Relighting, TheShadowsOfEachGroupOfLightsStay) {
   Room room;
   room.light.radius = 0.3;
