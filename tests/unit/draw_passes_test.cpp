@@ -117,7 +117,7 @@ TEST(Passes, PlacesOfMeshesAreFoundBeforeShadows) {
   EXPECT_EQ(passes[1].colors.size(), 2U);
   EXPECT_EQ(passes[2].casters.size(), 2U);
   const RayPoints points;
-  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays", "shadows", "shade", "shadows", "shade"}));
+  EXPECT_EQ(namesOf({.rays = &points}), (Names{"rays", "shade", "shade"}));
   EXPECT_FALSE(passesOf(list, {.rays = &points, .probes = true})[0].probes) << "there are meshes over it";
 }
 
@@ -336,7 +336,8 @@ TEST(Passes, WhatIsSeenThroughIsBlendedUnlessItIsOfTheGeometry) {
             (Names{"found none", "layers", "blend layers through", "transparent color"}));
   list.groups[0].layerShadows.resize(2);
   list.groups[0].layerShades.resize(1);
-  EXPECT_EQ(joined(passesOf(list, {.relights = true})), (Names{"shade layers", "blend layers through"}));
+  EXPECT_EQ(joined(passesOf(list, {.relights = true})),
+            (Names{"shade none", "shade layers", "blend layers through"}));
   list.groups[0] = {};
   list.layers.blend.output = list.transparent[0].state.output = Output::Depth;
   EXPECT_EQ(joined(passesOf(list, {})),
@@ -423,10 +424,10 @@ TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
   list.groups.resize(2);
   list.groups[1].layerShades.resize(1);
   EXPECT_EQ(namesOf({.rays = &points}),
-            (Names{"rays* 0", "shadows 3", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1",
-                   "layer shadows 1", "shade layers 0", "shade layers 0", "light on layers of rays* 0",
-                   "shade layers 0", "blend layers 0"}))
-      << "a point holds the shadows of one group";
+            (Names{"rays* 0", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1", "layer shadows 1",
+                   "shade layers 0", "shade layers 0", "light on layers of rays* 0", "shade layers 0",
+                   "blend layers 0"}))
+      << "a point of a layer holds the shadows of one group";
   // What is not lit later is drawn again, where rays add something to it: else layers would be blended twice.
   list.deferred = false;
   for (DrawBatch& batch : list.opaque) batch.state.form = Form::Fused;
