@@ -144,6 +144,25 @@ class Relighting : public PictureTest {
     Renderer fresh(context());
     return fresh.render(room.snapshot(), room.options);
   }
+
+  /// Once the room is drawn each painting is lit again, in so many passes, and is what a fresh renderer
+  /// draws.
+  void expectPaintingsAreLitAgain(Room& room, std::uint64_t passes) {
+    EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
+    const std::vector<Edit> edits = paintings();
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+      SCOPED_TRACE(i);
+      edits[i](room);
+      const Picture again = renderer().render(room.snapshot(), room.options), fresh = anew(room);
+      EXPECT_TRUE(sameBytes(again.image, fresh.image));
+      EXPECT_EQ(again.statistics.count.passes, passes);
+      EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
+      const FrameError &error = again.statistics.error, &expected = fresh.statistics.error;
+      EXPECT_EQ(error.resolvedByRaysPx, expected.resolvedByRaysPx);
+      EXPECT_EQ(error.shadowRaysPx, expected.shadowRaysPx);
+      EXPECT_EQ(error.layersMissing + error.unconvergedPx, 0U);
+    }
+  }
 };
 
 TEST_F(Relighting, WhereMaterialsAloneChangeNothingIsFoundAgain) {
@@ -175,19 +194,7 @@ TEST_F(Relighting, WhereMaterialsAloneChangeNothingIsFoundAgain) {
 TEST_F(Relighting, WhatIsSeenThroughAndTheLightThroughItStay) {
   Room room;
   room.materials[1].opacity = 0.5;
-  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.error.resolvedByRaysPx, 0U);
-  const std::vector<Edit> edits = paintings();
-  for (std::size_t i = 0; i < edits.size(); ++i) {
-    SCOPED_TRACE(i);
-    edits[i](room);
-    const Picture again = renderer().render(room.snapshot(), room.options), fresh = anew(room);
-    EXPECT_TRUE(sameBytes(again.image, fresh.image));
-    EXPECT_EQ(again.statistics.count.passes, 3U);  // light on both, and they are blended
-    EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
-    EXPECT_GT(fresh.statistics.count.shadowPasses, 0U);
-    EXPECT_EQ(again.statistics.error.layersMissing + again.statistics.error.unconvergedPx, 0U);
-    EXPECT_EQ(again.statistics.error.resolvedByRaysPx, fresh.statistics.error.resolvedByRaysPx);
-  }
+  expectPaintingsAreLitAgain(room, 3);  // light on both, and they are blended
   // What lets something else of the light through is found anew.
   const auto shadowPassesAfter = [&](const Edit& edit) {
     edit(room);
@@ -226,28 +233,14 @@ TEST_F(Relighting, TheShadowsOfEachGroupOfLightsStay) {
   Room room;
   room.light.radius = 0.3;
   room.light.shadowSamples = 40;
-  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
-  for (const Edit& edit : paintings()) {
-    edit(room);
-    const Picture again = renderer().render(room.snapshot(), room.options);
-    EXPECT_TRUE(sameBytes(again.image, anew(room).image));
-    EXPECT_EQ(again.statistics.count.passes, 2U);
-    EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
-  }
+  expectPaintingsAreLitAgain(room, 2);
 }
 
 TEST_F(Relighting, InTheShadowsOfADepthMapToo) {
   Room room;
   room.light.shadow = Light::Shadow::Map;
   room.light.map.bias = 0.02;
-  EXPECT_GT(renderer().render(room.snapshot(), room.options).statistics.count.shadowPasses, 0U);
-  for (const Edit& edit : paintings()) {
-    edit(room);
-    const Picture again = renderer().render(room.snapshot(), room.options);
-    EXPECT_TRUE(sameBytes(again.image, anew(room).image));
-    EXPECT_EQ(again.statistics.count.passes, 1U);
-    EXPECT_EQ(again.statistics.count.shadowPasses, 0U);
-  }
+  expectPaintingsAreLitAgain(room, 1);
 }
 
 // Where it ends its map says; it is not in the picture, whose materials tell nothing of it.
