@@ -54,7 +54,7 @@ TEST(SharedData, LiesInMemoryAlikeForCppAndShaders) {
                                          LUXO_SHARED("scene_data.h", ShadeData, reach),
                                          LUXO_SHARED("scene_data.h", SpotData, perPenumbra),
                                          LUXO_SHARED("scene_data.h", LightSet, spots),
-                                         LUXO_SHARED("scene_data.h", CasterCell, outward),
+                                         LUXO_SHARED("scene_data.h", CasterCell, bendsAway),
                                          LUXO_SHARED("scene_data.h", FlatShadow, transmittance),
                                          LUXO_SHARED("scene_data.h", LightMapFace, origin),
                                          LUXO_SHARED("scene_data.h", LightMap, radius),
