@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
@@ -11,6 +12,7 @@
 #include <system_error>
 
 #include "console.h"
+#include "gpu/address_space.h"
 #include "interruption.h"
 
 namespace luxo {
@@ -21,19 +23,29 @@ constexpr const char* kFreeMemory = "ask for a smaller size, or try again when m
 
 std::terminate_handler usualEnd = nullptr;
 
-/// Where nothing catches: in threads of a driver, and of the compiler in it. There is no memory to make a
-/// text.
+/// There is no memory to make a text.
+[[noreturn]] void endOutOfMemory() {
+  for (const std::string_view part : {"error: ", kOutOfMemory, "\nhelp: ", kFreeMemory, "\n"})
+    static_cast<void>(write(STDERR_FILENO, part.data(), part.size()) < 0);
+  std::_Exit(exit_code::kRetry);
+}
+
+/// Where nothing catches: in threads of a driver, and of the compiler in it.
 [[noreturn]] void endUncaught() {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
-    for (const std::string_view part : {"error: ", kOutOfMemory, "\nhelp: ", kFreeMemory, "\n"})
-      static_cast<void>(write(STDERR_FILENO, part.data(), part.size()) < 0);
-    std::_Exit(exit_code::kRetry);
+    endOutOfMemory();
   } catch (...) {
   }
   usualEnd();
   std::abort();
+}
+
+/// That compiler, LLVM, throws nothing where it has no memory, but says so and aborts. It is known by what a
+/// limit leaves: less than all that the driver takes.
+extern "C" void endAborted(int) {
+  if (gpu::addressSpaceLeft() < gpu::kDriverBytes) endOutOfMemory();
 }
 
 }  // namespace
@@ -66,6 +78,7 @@ int runToExitCode(const std::function<int()>& body) {
     return exitCodeOf(error.kind());
   };
   if (std::get_terminate() != endUncaught) usualEnd = std::set_terminate(endUncaught);
+  std::signal(SIGABRT, endAborted);
   try {
     return body();
   } catch (const Error& error) {

@@ -7,8 +7,8 @@
 
 namespace luxo::gpu {
 
-/// Bytes that this process may still map; the most there is where nothing limits it. Cost: a system call, and
-/// where there is a limit a small file.
+/// Bytes that this process may still map; the most there is where nothing limits it. Takes no memory, and may
+/// be called by what handles a signal. Cost: a system call, and where there is a limit a small file.
 [[nodiscard]] std::uint64_t addressSpaceLeft();
 
 /// What a driver that draws on the processor takes, once it is loaded, beside its pictures: threads' stacks

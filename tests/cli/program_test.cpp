@@ -3,9 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <nlohmann/json.hpp>
 
+#include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <new>
 #include <thread>
 
@@ -150,6 +156,23 @@ TEST(ExitCodeDeathTest, MemoryThatIsShortWhereNothingCatches) {
   };
   EXPECT_EXIT(std::exit(runToExitCode(draw)), testing::ExitedWithCode(75),
               "error: out of memory\nhelp: ask for a smaller size, or try again");
+}
+
+// As a driver's compiler does.
+TEST(ExitCodeDeathTest, MemoryThatIsShortWhereOneAborts) {
+#ifdef LUXO_SANITIZED
+  GTEST_SKIP() << "sanitizers map terabytes";
+#endif
+  const auto abortsWith = [](std::uint64_t bytesLeft) {
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const std::uint64_t most = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) + bytesLeft;
+    const rlimit limit{most, most};
+    setrlimit(RLIMIT_AS, &limit);
+    std::exit(runToExitCode([]() -> int { std::abort(); }));
+  };
+  EXPECT_EXIT(abortsWith(64 << 20), testing::ExitedWithCode(75), "error: out of memory");
+  EXPECT_EXIT(abortsWith(std::uint64_t{1} << 32), testing::KilledBySignal(SIGABRT), "");
 }
 
 TEST(Console, ColoursOnlyTheLabels) {
