@@ -42,7 +42,7 @@ constexpr std::size_t kKeptPrograms = 16;
 constexpr std::uint32_t kFirstVertices = 1024, kMaxVertices = 65536;
 
 /// Two ways to round a vertex: 2^-24 of each of the four terms of a product, twice.
-constexpr double kRounding = 0x1p-21;
+constexpr double kAtRest = 0x1p-21;
 
 Mat4 magnitudes(Mat4 m) {
   for (int i = 0; i < 4; ++i) m[i] = glm::abs(m[i]);
@@ -80,7 +80,7 @@ double largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), s
 bool stays(const Vec4f& position, const Vec3f& rest) {
   if (!(position.w > 0)) return false;
   const double off = largest(Vec3(position) / double(position.w) - Vec3(rest));
-  return off <= kRounding * largest(Vec3(rest));
+  return off <= kAtRest * largest(Vec3(rest));
 }
 
 /// Whether a view shows a place where it is: `shown` is gl_Position there.

@@ -22,7 +22,7 @@ constexpr int kCoarse = 16;  // pixels between the samples that tell
 constexpr int kBand = 256;   // rows that one core works on: each band looks at every triangle
 constexpr std::size_t kChunk = 512, kIndicesForAllCores = 3 * kChunk;  // triangles; indices
 constexpr double kNearest = -1e30;  // of what PixelTriangle has as depths: nearer than all
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoBody = std::numeric_limits<std::size_t>::max();
 
 std::span<const std::uint32_t> indicesAt(const std::vector<std::uint32_t>& indices, std::size_t first) {
   return std::span(indices).subspan(first, 3);
@@ -111,10 +111,10 @@ const OcclusionCulling::Body& OcclusionCulling::bodyOf(const DrawList& list, con
 
 void OcclusionCulling::addBodies(const DrawList& list, const Snapshot& snapshot) {
   bodies_.clear();
-  bodyOf_.assign(snapshot.nodes.size(), kNone);
+  bodyOf_.assign(snapshot.nodes.size(), kNoBody);
   forEachShellBatch(list, [&](const DrawBatch& batch) {
     const std::uint32_t number = list.instanceNodes[batch.firstInstance];
-    if (bodyOf_[number] != kNone) return;
+    if (bodyOf_[number] != kNoBody) return;
     bodyOf_[number] = bodies_.size();
     const SnapshotNode& node = snapshot.nodes[number];
     std::vector<Vec3> points = inPicture(snapshot.view, node, batch.shell->positions), occluder;

@@ -13,7 +13,7 @@ namespace luxo {
 namespace {
 
 // Bytes of a sample of the targets, of a texel that is read back, and of a pixel of an image.
-constexpr std::uint64_t kColor = 16, kDepth = 4, kTexel = 16, kImage = 12;
+constexpr std::uint64_t kColor = 16, kDepth = 4, kTexel = 16, kPixel = 12;
 /// Drivers pad sides to whole tiles: llvmpipe's are 64.
 constexpr std::uint64_t kTile = 64;
 
@@ -33,7 +33,7 @@ PictureRoom roomOf(PixelSize size, int samples, bool native) {
   const std::uint64_t device = pixels * ((kColor + kDepth) * inOnePass + mean);
   return {.largest = pixels * std::max(kColor * inOnePass, kTexel),
           .device = device,
-          .all = device + pixels * (kTexel + kImage)};
+          .all = device + pixels * (kTexel + kPixel)};
 }
 
 std::optional<PixelSize> sizeThatFits(PixelSize size, int samples, bool native, const PictureRoom& room) {

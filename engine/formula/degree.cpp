@@ -11,11 +11,11 @@
 namespace luxo {
 namespace {
 
-constexpr Vec2 kNone(std::numeric_limits<double>::infinity());
+constexpr Vec2 kNoDegree(std::numeric_limits<double>::infinity());
 constexpr double kBesideTurn = 1e-3;  // a domain's end may be typed with few digits
 
 struct Term {
-  Vec2 degree = kNone;
+  Vec2 degree = kNoDegree;
   Vec2 slope{std::numeric_limits<double>::quiet_NaN()};  ///< of a linear function of u and v, else NaN
   bool isConstant = false;
   double value = 0;  ///< of a constant
@@ -23,7 +23,7 @@ struct Term {
 
 Term turning(const Term& angle, const Vec2& width) {
   const Vec2 turns = glm::abs(angle.slope) * width / kTau;
-  return {.degree = std::isfinite(turns.x + turns.y) ? turns : kNone};
+  return {.degree = std::isfinite(turns.x + turns.y) ? turns : kNoDegree};
 }
 
 /// A node, from its operands.

@@ -135,7 +135,7 @@ std::string firstMissing(VkInstance instance, const CanPresent& canPresent, Adap
   return missing.empty() ? missingFormat(adapter.device) : missing;
 }
 
-Adapter describe(VkInstance instance, VkPhysicalDevice device, const CanPresent& canPresent) {
+Adapter adapterOf(VkInstance instance, VkPhysicalDevice device, const CanPresent& canPresent) {
   Adapter adapter{.device = device};
   VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2,
@@ -163,7 +163,7 @@ std::vector<Adapter> findAdapters(VkInstance instance, const CanPresent& canPres
   check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "list Vulkan devices");
 
   std::vector<Adapter> adapters;
-  for (const VkPhysicalDevice device : devices) adapters.push_back(describe(instance, device, canPresent));
+  for (const VkPhysicalDevice device : devices) adapters.push_back(adapterOf(instance, device, canPresent));
   return adapters;
 }
 

@@ -21,14 +21,14 @@ constexpr double kLeastBytesPerPixel = 1.0 / 512;
 // programs write has ten or so.
 constexpr int kMaxScans = 100;
 
-struct Failure {
+struct JpegFailure {
   jpeg_error_mgr manager;
   std::jmp_buf jump;
   char why[JMSG_LENGTH_MAX];
 };
 
 void fail(j_common_ptr info) {
-  auto* failure = reinterpret_cast<Failure*>(info->err);
+  auto* failure = reinterpret_cast<JpegFailure*>(info->err);
   info->err->format_message(info, failure->why);
   std::longjmp(failure->jump, 1);
 }
@@ -40,7 +40,7 @@ void warn(j_common_ptr info, int level) {
 
 void countScans(j_common_ptr info) {
   if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number > kMaxScans) {
-    auto* failure = reinterpret_cast<Failure*>(info->err);
+    auto* failure = reinterpret_cast<JpegFailure*>(info->err);
     std::snprintf(failure->why, sizeof failure->why, "more than %d scans", kMaxScans);
     std::longjmp(failure->jump, 1);
   }
@@ -48,7 +48,7 @@ void countScans(j_common_ptr info) {
 
 struct Decoder {
   jpeg_decompress_struct info{};
-  Failure failure{};
+  JpegFailure failure{};
   jpeg_progress_mgr progress{};
 
   Decoder() {

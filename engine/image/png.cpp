@@ -14,13 +14,13 @@
 namespace luxo {
 namespace {
 
-struct Failure {
+struct PngFailure {
   std::string why;
 };
 
 // libpng reports an error by a callback that must not return; it jumps back into `attempt`.
 void fail(png_structp png, png_const_charp why) {
-  static_cast<Failure*>(png_get_error_ptr(png))->why = why;
+  static_cast<PngFailure*>(png_get_error_ptr(png))->why = why;
   std::longjmp(png_jmpbuf(png), 1);
 }
 
@@ -36,7 +36,7 @@ bool attempt(png_structp png, const Body& body) {
 }
 
 struct Writer {
-  Failure failure;
+  PngFailure failure;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignoreWarning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
 
@@ -47,7 +47,7 @@ struct Writer {
 };
 
 struct Reader {
-  Failure failure;
+  PngFailure failure;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignoreWarning);
   png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
   std::span<const std::byte> left;

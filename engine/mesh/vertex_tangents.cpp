@@ -9,7 +9,7 @@
 namespace luxo {
 namespace {
 
-constexpr std::uint32_t kUnused = 0xffffffff;
+constexpr std::uint32_t kNoCorner = 0xffffffff;
 
 /// Where u grows on a triangle.
 struct Direction {
@@ -79,11 +79,11 @@ Vec4f tangentOf(const Vec3& sum, const Vec3& normal, int sign) {
 std::vector<Vec4f> giveTangents(MeshVertices& vertices, std::vector<std::uint32_t>& indices) {
   const TangentMaker maker(vertices, indices);
   const DisjointSets sets = maker.sets();
-  std::vector<std::uint32_t> numberOf(indices.size(), kUnused);  // of each corner's set, at its root first
+  std::vector<std::uint32_t> numberOf(indices.size(), kNoCorner);  // of each corner's set, at its root first
   std::vector<std::uint32_t> mapped(vertices.positions.size(),
-                                    kUnused);  // a corner there whose uvs have an area
+                                    kNoCorner);  // a corner there whose uvs have an area
   for (std::uint32_t corner = 0; corner < indices.size(); ++corner)
-    if (mapped[indices[corner]] == kUnused && maker.direction(corner).sign != 0)
+    if (mapped[indices[corner]] == kNoCorner && maker.direction(corner).sign != 0)
       mapped[indices[corner]] = corner;
 
   std::vector<Vec3> sums;
@@ -91,11 +91,11 @@ std::vector<Vec4f> giveTangents(MeshVertices& vertices, std::vector<std::uint32_
   for (std::uint32_t corner = 0; corner < indices.size(); ++corner) {
     const bool unmapped = maker.direction(corner).sign == 0;
     // What has no uvs to speak of takes the tangent of its neighbours.
-    const std::uint32_t like = !unmapped                            ? corner
-                               : mapped[indices[corner]] != kUnused ? mapped[indices[corner]]
-                                                                    : corner;
+    const std::uint32_t like = !unmapped                              ? corner
+                               : mapped[indices[corner]] != kNoCorner ? mapped[indices[corner]]
+                                                                      : corner;
     const std::uint32_t root = sets.find(like).number;
-    if (numberOf[root] == kUnused) {
+    if (numberOf[root] == kNoCorner) {
       numberOf[root] = std::uint32_t(sums.size());
       sums.emplace_back(0);
       corners.push_back(like);

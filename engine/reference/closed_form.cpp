@@ -7,7 +7,6 @@
 namespace luxo::reference {
 namespace {
 
-constexpr double kOnTheEdge = 1e-12;    // of the domain: how far outside a root may be found
 constexpr double kRounding = 1 + 1e-9;  // of a reach
 
 IntervalVec intervals(const Vec3& p) { return {p.x, p.y, p.z}; }

@@ -15,7 +15,6 @@ namespace luxo::reference {
 namespace {
 
 constexpr double kSmallest = 1e-13;      // of the domain
-constexpr double kOnTheEdge = 1e-12;     // of the domain: how far outside a root may be found
 constexpr double kSamePoint = 1e-9;      // of the distance
 constexpr double kSameParameter = 1e-7;  // of the domain: Newton's last step, where a ray grazes
 // Per ray. Of two million rays into hard scenes (luxo verify --random) those that were decided took 1,024

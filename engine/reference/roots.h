@@ -19,6 +19,9 @@
 
 namespace luxo::reference {
 
+/// Of the domain: how far outside a root may be found.
+constexpr double kOnTheEdge = 1e-12;
+
 /// World space. `direction` is unit.
 struct Ray {
   Vec3 origin{0}, direction{0, 0, -1};
