@@ -12,8 +12,6 @@
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/suggestion.h"
-#include "draw/device_cloth_simulation.h"
-#include "draw/device_vertex_movement.h"
 #include "interruption.h"
 #include "mesh/model.h"
 #include "progress_bar.h"
@@ -23,6 +21,7 @@
 #include "scene/scene_reader.h"
 #include "scene/shader_files.h"
 #include "scene/texture_files.h"
+#include "scene_request.h"
 #include "scenes/embedded_scenes.h"
 #include "scenes/gallery.h"
 #include "scenes/primitives.h"
@@ -282,14 +281,6 @@ Scene buildScene(const SceneFile& file, std::span<const ParameterValue> paramete
         describe(file.source.name, file.source.text ? *file.source.text : std::string(), diagnostic));
   moveByDevice(scene, "auto");
   return scene;
-}
-
-void moveByDevice(Scene& scene, const std::string& device) {
-  scene.set(std::make_shared<DeviceVertexMovement>(gpu::ContextDesc{.device = device}));
-  if (!scene.hasCloth()) return;
-  const auto simulation = std::make_shared<DeviceClothSimulation>(gpu::ContextDesc{.device = device});
-  simulation->setInterruption([] { return interruptingSignal() != 0; });
-  scene.set(simulation);
 }
 
 }  // namespace luxo

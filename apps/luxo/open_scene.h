@@ -82,10 +82,6 @@ struct OpenedShader {
 /// What -P says, as descriptions take it.
 [[nodiscard]] std::vector<ParameterOverride> overridesOf(std::span<const ParameterValue> parameters);
 
-/// Has a device move the scene's cloth, if it has any, until a signal interrupts it (interruption.h), and run
-/// its vertex programs. It is opened once there is a step to do, or a mesh that may move.
-void moveByDevice(Scene& scene, const std::string& device);
-
 /// As openScene(), for a description that is in memory. It is moved by the device that is chosen
 /// automatically.
 [[nodiscard]] Scene buildScene(const SceneFile& file, std::span<const ParameterValue> parameters,

@@ -8,7 +8,7 @@
 #include "exit_code.h"
 #include "open_scene.h"
 #include "plot_scene.h"
-#include "render.h"
+#include "render_to_files.h"
 #include "scene/scene_writer.h"
 #include "verbs.h"
 

@@ -10,7 +10,7 @@
 #include "luxo_grandpa/lamp.h"
 #include "options.h"
 #include "process_tuning.h"
-#include "render.h"
+#include "render_to_files.h"
 #include "scene_request.h"
 #include "viewer.h"
 

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/suggestion.h"
 #include "draw/accumulation.h"
-#include "open_scene.h"
+#include "draw/device_cloth_simulation.h"
+#include "draw/device_vertex_movement.h"
+#include "interruption.h"
 
 namespace luxo {
 
@@ -99,6 +102,14 @@ ViewerOptions viewerOptions(const std::string& title, const RenderRequest& reque
           .skips = request.skips,
           .device = request.device,
           .validate = request.validate};
+}
+
+void moveByDevice(Scene& scene, const std::string& device) {
+  scene.set(std::make_shared<DeviceVertexMovement>(gpu::ContextDesc{.device = device}));
+  if (!scene.hasCloth()) return;
+  const auto simulation = std::make_shared<DeviceClothSimulation>(gpu::ContextDesc{.device = device});
+  simulation->setInterruption([] { return interruptingSignal() != 0; });
+  scene.set(simulation);
 }
 
 }  // namespace luxo

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "options.h"
 #include "scene/scene.h"
@@ -36,5 +37,9 @@ void refuseParameters(const RenderRequest& request);
 
 /// A window for it. It starts paused where the request names a moment.
 [[nodiscard]] ViewerOptions viewerOptions(const std::string& title, const RenderRequest& request);
+
+/// Has a device move the scene's cloth, if it has any, until a signal interrupts it (interruption.h), and run
+/// its vertex programs. It is opened once there is a step to do, or a mesh that may move.
+void moveByDevice(Scene& scene, const std::string& device);
 
 }  // namespace luxo

@@ -10,7 +10,7 @@
 namespace luxo {
 namespace {
 
-constexpr std::chrono::seconds kMessage{4}, kAlert{12}, kForever{3600};
+constexpr std::chrono::seconds kMessage{4}, kAlert{12}, kLasting{3600};
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void Notices::tell(const Message& message) {
 
 void Notices::tellWhile(const Message& message) {
   message_ = message;
-  end_ = Clock::now() + kForever;
+  end_ = Clock::now() + kLasting;
 }
 
 void Notices::expire(Clock::time_point now) {
