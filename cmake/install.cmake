@@ -2,7 +2,7 @@
 # cmake --install: the programs, the libraries with their headers (include/luxo), and what find_package(luxo) reads.
 
 set(config lib/cmake/luxo)
-set(libraries luxo luxo_scene_shaders)
+set(libraries luxo luxo_scene_shaders luxo_exact_table)
 if(LUXO_WINDOW)
   list(APPEND libraries luxo_window_shaders)
 endif()

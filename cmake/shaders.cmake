@@ -53,28 +53,30 @@ function(luxo_shader_sources target)
   add_dependencies(${target} ${target}_sources)
 endfunction()
 
-# The exact shaders of the named surfaces and of scene files: <luxo/shaders/exact_shaders.h> with `luxo::kExactShaders`, for
-# targets that link `target`. The program that writes it compiles the texts of luxo_shader_sources(target). Under sanitizers that takes six
-# times as long, as the optimiser does little but allocate: such builds may take the header that another build has written.
+# The exact shaders of the named surfaces and of scene files, in a library luxo_exact_table. Nothing else waits for them: most
+# of the engine compiles meanwhile. The program that writes them compiles the texts of luxo_shader_sources(target). Under
+# sanitizers that takes six times as long, as the optimiser does little but allocate: such builds may take the header that
+# another build has written.
 set(LUXO_EXACT_SHADERS "" CACHE FILEPATH "exact_shaders.h of another build of these sources, instead of one's own")
-function(luxo_exact_shaders target source)
+function(luxo_exact_shaders target source table)
   set(scenes ${ARGN})
   set(out ${PROJECT_BINARY_DIR}/generated/luxo/shaders/exact_shaders.h)
   if(LUXO_EXACT_SHADERS)
     add_custom_command(OUTPUT ${out} COMMAND ${CMAKE_COMMAND} -E copy ${LUXO_EXACT_SHADERS} ${out}
                        DEPENDS ${LUXO_EXACT_SHADERS} VERBATIM)
-    add_custom_target(${target}_exact DEPENDS ${out})
-    add_dependencies(${target} ${target}_exact)
-    return()
+  else()
+    add_executable(luxo_exact_shaders ${source})
+    target_include_directories(luxo_exact_shaders PRIVATE ${PROJECT_BINARY_DIR}/generated)
+    target_link_libraries(luxo_exact_shaders PRIVATE luxo_scene luxo_gpu SPIRV-Tools TBB::tbb)
+    luxo_warnings(luxo_exact_shaders)
+    add_dependencies(luxo_exact_shaders ${target}_sources)
+    add_custom_command(
+      OUTPUT ${out} COMMAND luxo_exact_shaders ${out} ${scenes} DEPENDS luxo_exact_shaders ${scenes}
+      COMMENT "Compiling the exact shaders" VERBATIM)
   endif()
-  add_executable(luxo_exact_shaders ${source})
-  target_include_directories(luxo_exact_shaders PRIVATE ${PROJECT_BINARY_DIR}/generated)
-  target_link_libraries(luxo_exact_shaders PRIVATE luxo_scene luxo_gpu SPIRV-Tools TBB::tbb)
-  luxo_warnings(luxo_exact_shaders)
-  add_dependencies(luxo_exact_shaders ${target}_sources)
-  add_custom_command(
-    OUTPUT ${out} COMMAND luxo_exact_shaders ${out} ${scenes} DEPENDS luxo_exact_shaders ${scenes}
-    COMMENT "Compiling the exact shaders" VERBATIM)
-  add_custom_target(${target}_exact DEPENDS ${out})
-  add_dependencies(${target} ${target}_exact)
+  add_library(luxo_exact_table STATIC ${table} ${out})
+  target_compile_features(luxo_exact_table PUBLIC cxx_std_20)
+  target_include_directories(luxo_exact_table PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>
+                             PRIVATE ${PROJECT_BINARY_DIR}/generated)
+  luxo_warnings(luxo_exact_table)
 endfunction()

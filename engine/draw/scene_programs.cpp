@@ -177,7 +177,7 @@ void ScenePrograms::prepare(std::span<const DrawState> states) {
     const std::string patternText = pattern.valid() ? pattern.glsl() : "";
     const std::optional<ExactSource::Caster> caster = casterOf(form);
     const bool parameters = form == Form::FoundWithParameters;
-    const auto builtIn = footprint ? std::span<const std::uint32_t>()
+    const auto builtIn = footprint ? std::u32string_view()
                          : caster  ? builtInCasterShader(*caster, *surface, patternText)
                                    : builtInExactShader(*surface, patternText, grazing, parameters);
     if (!builtIn.empty()) {

@@ -207,12 +207,11 @@ std::string literal(const std::string& text) {
   return fmt::format("{{R\"luxo({})luxo\", {}}}", text, text.size());
 }
 
-/// The definition of an array of this name.
-std::string arrayOf(const std::string& name, const Words& words) {
-  std::string text = fmt::format("inline constexpr std::uint32_t {}[] = {{\n", name);
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += fmt::format("{},{}", words[i], i % 16 == 15 ? "\n" : "");
-  return text + "};\n";
+/// As table.h says.
+std::string literal(const Words& words) {
+  std::string text = "U\"";
+  for (const std::uint32_t word : words) text += fmt::format("\\x{:x}", word);
+  return fmt::format("{{{}\", {}}}", text, words.size());
 }
 
 std::string table(std::span<const char* const> scenes) {
@@ -220,33 +219,23 @@ std::string table(std::span<const char* const> scenes) {
   const std::vector<Formulas> all(wanted.formulas.begin(), wanted.formulas.end());
   const std::vector<PatternLight> lights(wanted.lights.begin(), wanted.lights.end());
   const std::vector<Words> shaders = compileAll(all), lightShaders = compileAll(lights);
-  std::string arrays, entries, lightEntries;
+  std::string entries, lightEntries;
   for (std::size_t index = 0; index < all.size(); ++index) {
     const Formulas& formulas = all[index];
-    const std::string name = fmt::format("kExactShader{}", index);
-    arrays += arrayOf(name, shaders[index]);
-    entries +=
-        fmt::format("    {{{}, {}, {}, {}, {}, {}, {}}},\n", literal(formulas.surface),
-                    literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
-                    formulas.caster ? static_cast<int>(*formulas.caster) : -1, formulas.parameters, name);
+    entries += fmt::format("    {{{}, {}, {}, {}, {}, {}, {}}},\n", literal(formulas.surface),
+                           literal(formulas.pattern), formulas.number == GlslNumber::Double, formulas.grazing,
+                           formulas.caster ? static_cast<int>(*formulas.caster) : -1, formulas.parameters,
+                           literal(shaders[index]));
   }
-  for (std::size_t index = 0; index < lights.size(); ++index) {
-    const std::string name = fmt::format("kPatternShader{}", index);
-    arrays += arrayOf(name, lightShaders[index]);
+  for (std::size_t index = 0; index < lights.size(); ++index)
     lightEntries += fmt::format("    PatternShader{{{}, {}, {}}},\n", literal(lights[index].name),
-                                literal(lights[index].pattern), name);
-  }
+                                literal(lights[index].pattern), literal(lightShaders[index]));
   return fmt::format(
-      "#pragma once\n#include <array>\n#include <cstdint>\n#include <span>\n#include <string_view>\n\n"
-      "namespace luxo {{\n\n{}\n"
-      "struct ExactShader {{\n  std::string_view surface, pattern;\n  bool inDouble, grazing;\n"
-      "  int caster;\n  bool parameters;\n  std::span<const std::uint32_t> spirv;\n}};\n\n"
-      "/// By formulas.\ninline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n"
-      "struct PatternShader {{\n  std::string_view name, pattern;\n"
-      "  std::span<const std::uint32_t> spirv;\n}};\n\n"
+      "#pragma once\n#include <array>\n#include \"exact/table.h\"\n\nnamespace luxo {{\n\n"
+      "inline constexpr ExactShader kExactShaders[] = {{\n{}}};\n\n"
       "inline constexpr std::array<PatternShader, {}> kPatternShaders = {{{{\n{}}}}};\n\n"
       "}}  // namespace luxo\n",
-      arrays, entries, lights.size(), lightEntries);
+      entries, lights.size(), lightEntries);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@
 namespace luxo {
 namespace {
 
-constexpr std::uint32_t kSpirvMagic = 0x07230203, kSpirv16 = 0x00010600;
+constexpr char32_t kSpirvMagic = 0x07230203, kSpirv16 = 0x00010600;
 
-std::span<const std::uint32_t> carriedFor(const Surface& surface, std::uint32_t patch = 0,
-                                          GlslNumber number = GlslNumber::Float) {
+std::u32string_view carriedFor(const Surface& surface, std::uint32_t patch = 0,
+                               GlslNumber number = GlslNumber::Float) {
   const std::optional<Equation> equation = equationsOf(surface, {})[patch];
   return builtInExactShader(equation ? equationCode(equation->form(), 0, number)
                                      : surfaceCode(*surface.patches()[patch].function, 0, number));
