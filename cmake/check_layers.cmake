@@ -35,7 +35,7 @@ foreach(file IN LISTS sources)
     set(header "${CMAKE_MATCH_2}")
     string(REGEX REPLACE "/.*" "" folder "${header}")
     set(shader FALSE) # embedded shaders, and what C++ and GLSL share
-    if(header MATCHES "^(luxo/shaders|shared)/" AND layer MATCHES "^(draw|window)$")
+    if(header MATCHES "^(luxo/shaders|shared|exact)/" AND layer MATCHES "^(draw|window)$")
       set(shader TRUE)
     endif()
     if(quote STREQUAL "\"" AND NOT shader AND NOT folder STREQUAL layer AND NOT folder IN_LIST LUXO_LAYER_${layer})
