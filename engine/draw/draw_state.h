@@ -59,6 +59,7 @@ struct DrawState {
   bool equation = false;        ///< with it: it is an equation, no formula
   bool grazing = false;         ///< with it: a ray may graze the surface, and meet it more than once
   bool poles = false;           ///< with that: an edge of a patch is one point
+  bool walks = false;           ///< with `surface`: that what is found is the first is walked, if need be
   bool frontOnly = false;       ///< with it: rays go on through its back, which is not shown
   bool byRays = false;          ///< points are drawn that rays have found
   bool isSurface = false;       ///< the triangles are the surface itself, not near to it

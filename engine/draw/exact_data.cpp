@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -122,9 +123,9 @@ std::uint32_t flagsOf(const ShellPatch& patch) {
 /// What shaders/lib/exact_equation.glsl reads, in metres.
 void appendEquation(const Equation& equation, const Domain& domain, std::vector<double>& numbers) {
   const Vec3& scale = equation.scale;
-  constexpr double kNowhere = 1e30;
+  constexpr double kNoEdge = 1e30;
   const Box edges = equation.edgesOf(domain);
-  Vec3 lowest = glm::max(edges.min, Vec3(-kNowhere)), highest = glm::min(edges.max, Vec3(kNowhere));
+  Vec3 lowest = glm::max(edges.min, Vec3(-kNoEdge)), highest = glm::min(edges.max, Vec3(kNoEdge));
 
   const double center = equation.center();
   lowest.y -= center * scale.y;
@@ -208,6 +209,16 @@ shared::ExactInstance instanceOf(const View& view, const Vec3& origin, const Sna
       .shellDepthLow = restOf(ofShell.depth)};
 }
 
+/// No point of the surface in the shell is nearer than its vertices: mostly they are farther than those of
+/// the node's box.
+double nearestOf(const View& view, const SnapshotNode& node, const Shell& shell) {
+  const Vec4 depth = pixelRows(view, node.worldFromObject).depth;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vec3& position : shell.positions)
+    nearest = std::min(nearest, glm::dot(depth, Vec4(position, 1)));
+  return std::max(nearest, view.near);
+}
+
 }  // namespace
 
 bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& visible, const Shell& shell) {
@@ -221,7 +232,9 @@ bool needsDouble(const View& view, const SnapshotNode& node, const VisibleNode& 
     // Steps of a search whose residuals are what the formula loses end by chance.
     return rounded > kMaxRoundingPx || lost > accepted || (1 + kPlacePart) * accepted + lost > kPointPx;
   };
-  if (tooMuch(visible.nearestDepth) && (!view.perspective() || tooMuch(nearestSeen(view, node)))) return true;
+  if (tooMuch(visible.nearestDepth) &&
+      (!view.perspective() || (tooMuch(nearestSeen(view, node)) && tooMuch(nearestOf(view, node, shell)))))
+    return true;
   const auto roundingAt = [&](double depth) { return rounding.everywhere + rounding.near / depth; };
   const double depth = std::max(visible.centerDepth, view.near);
   const double scale = visible.stretch * visible.pixelsPerUnit / (view.perspective() ? depth : 1);

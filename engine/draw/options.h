@@ -64,7 +64,7 @@ struct DrawOptions {
   double tolerancePx = 0.5;  ///< how far a mesh may be from its surface on the screen
   /// Exact shading: how far the shell in which the search for a surface begins is from it, about. No error of
   /// the picture: coarser shells have fewer triangles and start the search farther off.
-  double shellTolerancePx = 3;
+  double shellTolerancePx = 1.5;
   /// Exact shading: where a view magnifies what float rounds away, shaders compute in double, if the device
   /// can.
   bool doubles = true;

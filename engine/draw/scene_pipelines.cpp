@@ -33,6 +33,12 @@ DrawState canonical(DrawState state) {
   return state;
 }
 
+bool isTransversalSearch(const DrawState& state) {
+  using enum Form;
+  const bool searches = state.form == Fused || state.form == Found || state.form == FoundWithParameters;
+  return searches && state.surface && !state.equation && !state.grazing;
+}
+
 std::string_view nameOfPipeline(const DrawState& state) {
   using enum Form;
   if (isOfLayers(state)) return "layers";
@@ -73,6 +79,7 @@ std::vector<gpu::SpecializationConstant> constantsOf(const DrawState& state, con
                                                            : shared::kUncertified},
           {shared::kConstantParameterCount, state.surface ? state.surface->parameters : 0},
           {shared::kConstantPoles, state.poles},
+          {shared::kConstantWalks, state.walks},
           {shared::kConstantFrontOnly, state.frontOnly},
           {shared::kConstantEquation, state.equation},
           {shared::kConstantManySamples, targets.samples != VK_SAMPLE_COUNT_1_BIT},
@@ -244,7 +251,14 @@ void ScenePipelines::prepare(std::span<const Wanted> wanted) {
   std::vector<Wanted> missing;
   for (const Wanted& one : wanted) {
     Wanted key{canonical(one.state), one.targets};
-    if (!pipelines_.contains(key)) missing.push_back(std::move(key));
+    if (pipelines_.contains(key)) continue;
+    // Of a formula that moves what is certain now is walked to later: neither waits for a compiler then.
+    if (isTransversalSearch(key.state)) {
+      Wanted other = key;
+      other.state.walks = !key.state.walks;
+      if (!pipelines_.contains(other)) missing.push_back(std::move(other));
+    }
+    missing.push_back(std::move(key));
   }
   if (missing.empty()) return;
   std::ranges::sort(missing);

@@ -190,7 +190,8 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
     return;
   }
   const Shell& shell = *batch.shell;
-  std::vector<std::uint32_t> transversal;
+  using Seen = ShellView::Seen;
+  std::vector<std::uint32_t> certain, transversal;
   using ByPoles = std::array<std::vector<std::uint32_t>, 2>;  // where no edge is a point, and where one is
   ByPoles grazing, turning;
   for (std::uint32_t i = firstIndex; i < firstIndex + count; i += 3) {
@@ -199,13 +200,14 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
     if (isCulled(drawn, batch.culling)) continue;
     // By its equation a surface is found where it is grazed as it is elsewhere. Whether a ray that goes on
     // through the back comes back to the front, the cone does not prove.
-    const bool isTransversal =
-        !batch.state.equation && !turns &&
-        (batch.half == Half::Near ? view.transversal(shell, i, 1)
-                                  : !batch.frontOnly && view.transversal(shell, i, -1));
+    const bool near = batch.half == Half::Near;
+    const Seen seen = batch.state.equation || turns || (!near && batch.frontOnly)
+                          ? Seen::Grazing
+                          : view.seen(shell, i, near ? 1 : -1);
     const ShellPatch& patch = shell.patchData[shell.patches[shell.indices[i]]];
     std::vector<std::uint32_t>& indices =
-        isTransversal
+        seen == Seen::Certain ? certain
+        : seen == Seen::Transversal
             ? transversal
             : (turns && facing->clips() ? turning : grazing)[!batch.state.equation && patch.hasPole()];
     indices.insert(indices.end(), shell.indices.begin() + i, shell.indices.begin() + i + 3);
@@ -217,6 +219,8 @@ void ShellList::addDraws(std::vector<DrawBatch>& batches, DrawBatch batch, const
     list_.shellIndices.insert(list_.shellIndices.end(), indices.begin(), indices.end());
     batches.push_back(batch);
   };
+  add(certain);
+  batch.state.walks = true;
   add(transversal);
   batch.state.grazing = true;
   batch.state.frontOnly = hidesTurned(batch);
@@ -236,7 +240,7 @@ void ShellList::addSharedDraws(std::vector<DrawBatch>& batches, DrawBatch batch,
   auto known = sharedRanges_.find(key);
   if (known == sharedRanges_.end() || !options_.shareShells)
     known = sharedRanges_.insert_or_assign(key, sharedRanges(*batch.shell, firstIndex, count)).first;
-  batch.state.grazing = true;
+  batch.state.walks = batch.state.grazing = true;
   batch.state.frontOnly = hidesTurned(batch);
   for (const bool poles : {false, true}) {
     const auto& [first, end] = known->second[poles];
@@ -335,7 +339,7 @@ std::shared_ptr<const Shell> ShellList::shellOf(const SnapshotNode& node, const 
       geometry_.shells.get(node.surface, node.parameters, refined, margin, most);
   if (shell && pixels.count() <= options_.sharedPixels && isQuadric(*shell))
     shell = geometry_.shells.get(node.surface, node.parameters,
-                                 std::max(refined, std::min(wanted, kCoarsestQuadric * size)), margin, most);
+                                 std::max(refined, std::min(2 * wanted, kCoarsestQuadric * size)), margin, most);
   return shell;
 }
 

@@ -452,10 +452,10 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
   LUXO_REQUIRE_COMPARE(wanted.tolerance, >, 0.0);
   const std::vector<std::optional<Equation>> equations = equationsOf(surface, parameters);
   ShellDesc desc = wanted;
-  if (std::ranges::all_of(equations, &std::optional<Equation>::has_value))
-    desc.tolerance *= kEquationTolerance;
   const Box box = surface.framing(parameters);
   const double size = box.empty() ? 0 : glm::length(box.extent());
+  if (std::ranges::all_of(equations, &std::optional<Equation>::has_value))
+    desc.tolerance *= kEquationTolerance * desc.tolerance > kCoarseEquation * size ? 2 : kEquationTolerance;
   std::vector<Block> blocks =
       planBlocks(surface, parameters, map, {.tolerance = desc.tolerance}, kOpen * size);
   if (std::ranges::any_of(blocks, &Block::open)) return std::nullopt;

@@ -111,15 +111,16 @@ struct Shell {
   [[nodiscard]] std::size_t triangleCount() const { return indices.size() / 3; }
 };
 
-/// A search by an equation may begin so many times as far off as one by a formula: its steps are longer.
-inline constexpr double kEquationTolerance = 2;
+/// A search by an equation may begin so many times as far off as one by a formula, as its steps are longer;
+/// twice, if that is more than so much of the surface's size: triangles would turn over as they are seen.
+inline constexpr double kEquationTolerance = 4, kCoarseEquation = 1.0 / 32;
 
 /// Above 0, so that a slab around what is flat has a thickness.
 inline constexpr double kLeastMargin = 1.0 / 64;
 
 struct ShellDesc {
-  /// Largest deviation of the mesh under the shell, object units; times kEquationTolerance where all patches
-  /// have equations. The slab is half as thick, mostly less. A few pixels are best: finer shells have more
+  /// Largest deviation of the mesh under the shell, object units; that times kEquationTolerance where all
+  /// patches have equations. The slab is half as thick, mostly less. A few pixels are best: finer have more
   /// triangles, coarser ones start the search too far off.
   double tolerance = 0;
   /// How far the slab reaches beyond the surface on all sides, borders included: an ellipsoid around each

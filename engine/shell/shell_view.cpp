@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shell/shell_view.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace luxo {
@@ -11,15 +10,16 @@ ShellView::ShellView(const Vec4& eye, bool tellApart) : eye_(eye), tellApart_(te
   for (int i = 0; i < 4; ++i) tellApart_ = tellApart_ && std::isfinite(eye_[i]);
 }
 
-bool ShellView::transversal(const Shell& shell, std::uint32_t firstIndex, double side) const {
+ShellView::Seen ShellView::seen(const Shell& shell, std::uint32_t firstIndex, double side) const {
   const NormalCone& cone = shell.cones[firstIndex / 3];
-  const double steep = std::max(cone.sine, cone.certain);
-  bool all = tellApart_ && cone.sine <= 1;
-  for (std::uint32_t k = 0; k < 3 && all; ++k) {
+  bool transversal = tellApart_ && cone.sine <= 1, certain = transversal;
+  for (std::uint32_t k = 0; k < 3 && transversal; ++k) {
     const Vec3 toEye = Vec3(eye_) - eye_.w * shell.positions[shell.indices[firstIndex + k]];
-    all = side * glm::dot(Vec3(cone.axis), toEye) > steep * glm::length(toEye);
+    const double height = side * glm::dot(Vec3(cone.axis), toEye), distance = glm::length(toEye);
+    transversal = height > cone.sine * distance;
+    certain = certain && height > cone.certain * distance;
   }
-  return all;
+  return !transversal ? Seen::Grazing : certain ? Seen::Certain : Seen::Transversal;
 }
 
 }  // namespace luxo

@@ -12,13 +12,17 @@ namespace luxo {
 
 class ShellView {
  public:
+  /// Certain: transversal, and rays are so steep that what most of them meet is proven to be the first
+  /// without a walk.
+  enum class Seen { Grazing, Transversal, Certain };
+
   /// `eye`: homogeneous, object space; w = 0: the direction toward it, for parallel rays. Unless `tellApart`
-  /// is set nothing counts as transversal.
+  /// is set all is grazing.
   ShellView(const Vec4& eye, bool tellApart);
 
-  /// Whether the outer (+1) or inner (-1) side of the surface is seen steeply by all rays through the
-  /// triangle that begins at that index. Cost: nanoseconds.
-  [[nodiscard]] bool transversal(const Shell& shell, std::uint32_t firstIndex, double side) const;
+  /// How all rays through the triangle that begins at that index see the outer (+1) or inner (-1) side of the
+  /// surface. Cost: nanoseconds.
+  [[nodiscard]] Seen seen(const Shell& shell, std::uint32_t firstIndex, double side) const;
 
  private:
   Vec4 eye_;

@@ -71,6 +71,8 @@ real wantedSide;
 bool seesPastBorder() { return (has(kShowsBack) || kFrontOnly) && has(kBordered); }
 
 layout(constant_id = kConstantPoles) const bool kPoles = true;  // whether an edge of a patch is one point
+// Whether a root that is not the first for certain is walked to: all of grazing triangles are, and some transversal ones.
+layout(constant_id = kConstantWalks) const bool kWalks = true;
 
 // Whether a root is on the back of what shows only its front: the ray goes on through it.
 bool isPassed(Probe at) { return kFrontOnly && (area(at) < 0.0) != (has(kNegative) != has(kBackSide)); }
@@ -391,7 +393,7 @@ int traceCurve(Ray ray, inout real after, out real2 best, out bool crossed) {
     if (back && !again && steps > 0) behind += length_;
     bool atStart = back && behind >= kBehind;
     back = back && !atStart;
-    if (!back && (nearest < 1e30 || leaves)) break;
+    if (blind || !back && (nearest < 1e30 || leaves)) break;
     if (!again) last = atStart ? first : now;
     real longest = min(steady ? kTraceGrowth * length_ : kTraceStep, kTraceMax);
     length_ = again ? shorter : max(min(longest, kBothEnds * clearance(last, back ? -1.0 : 1.0, k)), kTraceMin);
@@ -453,8 +455,8 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 // to the eye than that place, which hides whatever is farther on, and where that place is too near to the root for another
 // one: a root d cells from this one has J d = f(root + d) - f(root) - (what J changes by on the way), so |J d| <= K d^2 / 2,
 // and d >= 2 / |1/J| K. The entry is r cells off along u and along v at most, so at sqrt(2) r or less; |1/J| is |J| / det at
-// most; and a tenth is for what the root itself is off by. Elsewhere, of grazing triangles, the way there is walked, along the
-// curve of points to which the ray's are nearest. One lane in a hundred, and a loop that no pixel of a group is in costs
+// most; and a tenth is for what the root itself is off by. Elsewhere the way there is walked, along the curve of
+// points to which the ray's are nearest, but for triangles of which nearly all rays are steep enough. One lane in a hundred, and a loop that no pixel of a group is in costs
 // nothing.
 //
 // Theorem: let the offset at a place of the curve be h, along the normal n on the screen, and let it grow across the curve,
@@ -472,7 +474,7 @@ bool certified(Ray ray, real2 p, Probe at) {
   bool proven = squares * length(at.f) * k <= 0.5 * det * det && r <= kFarCells;
   bool nearer = gl_FrontFacing && inDepthBuffer(at.depth) >= gl_FragCoord.z;
   bool first = nearer || squares * k * k * r * r <= 1.8 * det * det;
-  if (kGrazing) {
+  if (kWalks) {
     real side = det * shellSide() > 0.0 ? 1.0 : -1.0, left = r;
     for (int i = 0; i < kWalkSteps && proven && !first; ++i) {
       real2 q = mix(p, startAtEntry().xy, left / r);

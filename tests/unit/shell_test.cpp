@@ -465,7 +465,7 @@ TEST(Shell, VerticesCarryTheirCells) {
 
 TEST(Shell, FlatSurfacesAreAsThinAsTheMargin) {
   // Corners move along both walls' normals and the plane's by the margin, and by 1e-6 of the size. What has
-  // an equation is searched for from twice as far.
+  // an equation is searched for from kEquationTolerance times as far.
   const Surface flat = rectangle(3, 4);
   const auto offsetOf = [&](double tolerance, double margin) {
     return makeShell(flat, {}, CurvatureMap(flat, {}), {.tolerance = tolerance, .margin = Vec3(margin)})
@@ -473,8 +473,9 @@ TEST(Shell, FlatSurfacesAreAsThinAsTheMargin) {
   };
   EXPECT_EQ(shellOf(flat, 0.01).bound, 0);
   EXPECT_LE(shellOf(flat, 0.01).triangleCount(), 2U * 6) << "a box: nothing is gained by more";
-  EXPECT_NEAR(shellOf(flat, 0.01).offset, std::sqrt(3.0) * (0.02 / 64 + 5e-6), 1e-12);
-  EXPECT_NEAR(offsetOf(0.01, 0.5), std::sqrt(3.0) * (0.01 + 5e-6), 1e-12);
+  EXPECT_NEAR(shellOf(flat, 0.01).offset, std::sqrt(3.0) * (kEquationTolerance * 0.01 / 64 + 5e-6), 1e-12);
+  EXPECT_NEAR(offsetOf(0.01, 0.5), std::sqrt(3.0) * (kEquationTolerance * 0.005 + 5e-6), 1e-12);
+  EXPECT_NEAR(shellOf(flat, 0.1).offset, std::sqrt(3.0) * (0.2 / 64 + 5e-6), 1e-12) << "coarse for its size";
   // A rim deviates sideways, by nearly the bound.
   const Shell rim = shellOf(disk(1), 0.01);
   EXPECT_GT(rim.offset, 0.01 * std::sqrt(2.0) * 0.5);

@@ -47,7 +47,7 @@ TEST_P(ShellViewOf, RaysThroughTransversalTrianglesMeetTheSideSearchedFor) {
   const Vec3 middle = 0.5 * (box.min + box.max);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> between(-1, 1);
-  std::size_t transversalTriangles = 0;
+  std::size_t transversalTriangles = 0, certainTriangles = 0;
   for (int camera = 0; camera < 20; ++camera) {
     const double x = between(random), y = between(random);
     const Vec3 way = glm::normalize(Vec3(x, y, between(random)));
@@ -58,14 +58,20 @@ TEST_P(ShellViewOf, RaysThroughTransversalTrianglesMeetTheSideSearchedFor) {
       for (const double side : {1.0, -1.0}) {
         const std::uint32_t first = side > 0 ? part.firstIndex : part.wallIndex();
         for (std::uint32_t i = first; i < first + part.frontCount; i += 3) {
-          EXPECT_FALSE(inside.transversal(shell, i, side));
-          if (!seen.transversal(shell, i, side)) continue;
+          EXPECT_EQ(inside.seen(shell, i, side), ShellView::Seen::Grazing);
+          const ShellView::Seen how = seen.seen(shell, i, side);
+          if (how == ShellView::Seen::Grazing) continue;
           ++transversalTriangles;
+          certainTriangles += how == ShellView::Seen::Certain;
           expectFaces(surface, shell, i, side, eye);
         }
       }
   }
-  EXPECT_GT(transversalTriangles, 0U);
+  EXPECT_GT(certainTriangles, 0U);
+  // Its figure of eight bends within a triangle: a second root has room beside the first.
+  if (GetParam() == std::string("klein_figure8")) {
+    EXPECT_GT(transversalTriangles, certainTriangles);
+  }
 }
 
 }  // namespace
