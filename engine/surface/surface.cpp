@@ -285,7 +285,7 @@ Surface::CellBounds Surface::boundCell(std::uint32_t patch, const Domain& cell,
 /// product is above (N . Suv)^2. All over the cell, N is within a ball around that of its middle.
 int Surface::bendsAwayFrom(std::uint32_t patch, const Domain& cell,
                            std::span<const double> parameters) const {
-  constexpr double kRounding =
+  constexpr double kProductRounding =
       1e-6;  // of each product: more than doubles lose, and floats of the cell's ends
   const Patch& p = patches()[patch];
   const PatchInputs inputs(p, parameters);
@@ -302,7 +302,7 @@ int Surface::bendsAwayFrom(std::uint32_t patch, const Domain& cell,
   const double off = turnU * (glm::length(dv) + turnV) + glm::length(du) * turnV;
   const auto along = [&](const Box& box, double longest) {
     const Vec3 a = normal * box.min, b = normal * box.max;
-    const double slack = (off + kRounding * glm::length(normal)) * longest;
+    const double slack = (off + kProductRounding * glm::length(normal)) * longest;
     const Vec3 low = glm::min(a, b), high = glm::max(a, b);
     return Interval(low.x + low.y + low.z - slack, high.x + high.y + high.z + slack);
   };
