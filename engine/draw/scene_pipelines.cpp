@@ -252,10 +252,13 @@ void ScenePipelines::prepare(std::span<const Wanted> wanted) {
   for (const Wanted& one : wanted) {
     Wanted key{canonical(one.state), one.targets};
     if (pipelines_.contains(key)) continue;
-    // Of a formula that moves what is certain now is walked to later: neither waits for a compiler then.
-    if (isTransversalSearch(key.state)) {
+    // Of a formula that moves what is certain now is walked to, or grazed, later: none waits for a compiler
+    // then.
+    for (const bool grazing : {false, true}) {
+      if (!isTransversalSearch(key.state)) continue;
       Wanted other = key;
-      other.state.walks = !key.state.walks;
+      other.state.grazing = grazing;
+      other.state.walks = grazing || !key.state.walks;
       if (!pipelines_.contains(other)) missing.push_back(std::move(other));
     }
     missing.push_back(std::move(key));
