@@ -19,9 +19,8 @@ namespace luxo {
 
 /// Keeps what pictures use again and again. Of what the last two have not used it keeps the most recent, so
 /// many bytes, or so many times as much as those two use, as pictures of one view's outputs take turns: a
-/// formula that is edited would leave its pipelines behind for ever. Ten kinds of the lamp's frames are 78
-/// MB.
-inline constexpr std::size_t kMaxIdlePipelineBytes = std::size_t{80} << 20, kMaxIdlePipelines = 3;
+/// formula that is edited would leave its pipelines behind for ever.
+inline constexpr std::size_t kMaxIdlePipelineBytes = std::size_t{72} << 20, kMaxIdlePipelines = 3;
 
 class ScenePipelines {
  public:

@@ -18,6 +18,7 @@
 #include "shell/shell_refinement.h"
 #include "surface/formula_rounding.h"
 #include "tessellate/block_plan.h"
+#include "tessellate/mesh_cache.h"
 #include "tessellate/parallel.h"
 
 namespace luxo {
@@ -455,7 +456,8 @@ std::optional<Shell> makeShell(const Surface& surface, std::span<const double> p
   const Box box = surface.framing(parameters);
   const double size = box.empty() ? 0 : glm::length(box.extent());
   if (std::ranges::all_of(equations, &std::optional<Equation>::has_value))
-    desc.tolerance *= kEquationTolerance * desc.tolerance > kCoarseEquation * size ? 2 : kEquationTolerance;
+    desc.tolerance = std::min(kEquationTolerance * desc.tolerance,
+                              2 * std::max(desc.tolerance, toleranceLevel(kCoarseEquation * size)));
   std::vector<Block> blocks =
       planBlocks(surface, parameters, map, {.tolerance = desc.tolerance}, kOpen * size);
   if (std::ranges::any_of(blocks, &Block::open)) return std::nullopt;

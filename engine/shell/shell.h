@@ -112,8 +112,8 @@ struct Shell {
 };
 
 /// A search by an equation may begin so many times as far off as one by a formula, as its steps are longer;
-/// twice, if that is more than so much of the surface's size: triangles would turn over as they are seen.
-inline constexpr double kEquationTolerance = 4, kCoarseEquation = 1.0 / 32;
+/// but no farther than twice such a part of the surface's size, or twice what a formula's search does.
+inline constexpr double kEquationTolerance = 4, kCoarseEquation = 1.0 / 64;
 
 /// Above 0, so that a slab around what is flat has a thickness.
 inline constexpr double kLeastMargin = 1.0 / 64;

@@ -111,7 +111,8 @@ LUXO_CONSTANT kConstantLayerDetails = 22;   // points of what is seen through co
 LUXO_CONSTANT kConstantCarries = 23;        // vertices carry what is the same all over the draw
 LUXO_CONSTANT kConstantFrontOnly = 24;       // only the front of the surface is shown, and rays go on through its back
 LUXO_CONSTANT kConstantSpots = 25;          // the lights, a bit each, that are spots
-LUXO_CONSTANT kConstantWalks = 26;           // that a root is the first is walked, where nothing else proves it
+// A number that the shaders have anyway: each other one would be 16 bytes of them all.
+LUXO_CONSTANT kConstantWalks = 30;           // that a root is the first is walked, where nothing else proves it
 
 // So many lights are carried from vertices to fragments; more are read from a buffer, which takes a CPU device longer.
 LUXO_CONSTANT kCarriedLights = 2;

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "draw/exact_source.h"
+#include "gpu/shader_optimizer.h"
+#include "luxo/shaders/exact_vert.h"
 #include "scene/pattern.h"
+#include "shared/bindings.h"
 #include "support/spirv.h"
 #include "surface/caster_code.h"
 #include "surface/catalogue.h"
@@ -86,11 +91,17 @@ std::vector<std::uint32_t> compiledFor(int count, bool grazing, GlslNumber numbe
 
 TEST(ExactShaders, HaveAFormulaOnceForEveryLoopThatNeedsIt) {
   constexpr std::uint32_t kRound = 1;
-  const auto added = [](bool grazing) {
-    return test::callsOf(compiledFor(30, grazing), kRound) - test::callsOf(compiledFor(20, grazing), kRound);
+  const auto calls = [](int count, bool grazing, bool walks) {
+    const std::array constants{gpu::SpecializationConstant{shared::kConstantWalks, walks}};
+    return test::callsOf(gpu::stripped(luxo_exact_vert, compiledFor(count, grazing), constants).fragment,
+                         kRound);
   };
-  EXPECT_EQ(added(false), 2 * 10u) << "where rays do not graze: Newton's steps, and what certifies";
-  EXPECT_EQ(added(true), 3 * 10u) << "the approach, the trace, and what certifies";
+  const auto added = [&](bool grazing, bool walks) {
+    return calls(30, grazing, walks) - calls(20, grazing, walks);
+  };
+  EXPECT_EQ(added(false, false), 10u) << "where rays do not graze, and what they meet is certain: one loop";
+  EXPECT_EQ(added(false, true), 2 * 10u) << "where it is walked to: Newton's steps, and what certifies";
+  EXPECT_EQ(added(true, true), 3 * 10u) << "the approach, the trace, and what certifies";
 }
 
 TEST(ExactShaders, GrowLinearlyWithTheFormula) {
