@@ -247,20 +247,23 @@ const gpu::GraphicsPipeline& ScenePipelines::get(const DrawState& state, const T
   return made.pipeline;
 }
 
+/// Of a formula that moves what is certain now is walked to, or grazed, later: none is to wait for a compiler
+/// then.
+std::array<ScenePipelines::Wanted, 2> ScenePipelines::otherSearches(const Wanted& transversal) {
+  std::array others{transversal, transversal};
+  others[0].state.walks = !transversal.state.walks;
+  others[1].state.walks = others[1].state.grazing = true;
+  return others;
+}
+
 void ScenePipelines::prepare(std::span<const Wanted> wanted) {
   std::vector<Wanted> missing;
   for (const Wanted& one : wanted) {
     Wanted key{canonical(one.state), one.targets};
     if (pipelines_.contains(key)) continue;
-    // Of a formula that moves what is certain now is walked to, or grazed, later: none waits for a compiler
-    // then.
-    for (const bool grazing : {false, true}) {
-      if (!isTransversalSearch(key.state)) continue;
-      Wanted other = key;
-      other.state.grazing = grazing;
-      other.state.walks = grazing || !key.state.walks;
-      if (!pipelines_.contains(other)) missing.push_back(std::move(other));
-    }
+    if (isTransversalSearch(key.state))
+      for (Wanted& other : otherSearches(key))
+        if (!pipelines_.contains(other)) missing.push_back(std::move(other));
     missing.push_back(std::move(key));
   }
   if (missing.empty()) return;

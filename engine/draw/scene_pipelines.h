@@ -2,6 +2,7 @@
 // The pipelines of the scene passes, each made when a draw first needs it.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -54,6 +55,7 @@ class ScenePipelines {
     std::uint64_t lastPicture = 0;  ///< that used it
   };
 
+  [[nodiscard]] static std::array<Wanted, 2> otherSearches(const Wanted& transversal);
   [[nodiscard]] gpu::GraphicsPipelineDesc describe(const Wanted& wanted);
 
   gpu::Context* context_;

@@ -455,9 +455,9 @@ int findRoot(Ray ray, out real2 p, out Probe at) {
 // to the eye than that place, which hides whatever is farther on, and where that place is too near to the root for another
 // one: a root d cells from this one has J d = f(root + d) - f(root) - (what J changes by on the way), so |J d| <= K d^2 / 2,
 // and d >= 2 / |1/J| K. The entry is r cells off along u and along v at most, so at sqrt(2) r or less; |1/J| is |J| / det at
-// most; and a tenth is for what the root itself is off by. Elsewhere the way there is walked, along the curve of
-// points to which the ray's are nearest, but for triangles of which nearly all rays are steep enough. One lane in a hundred, and a loop that no pixel of a group is in costs
-// nothing.
+// most; and a tenth is for what the root itself is off by. Elsewhere the way there is walked, along the curve of points to
+// which the ray's are nearest, but for triangles of which nearly all rays are steep enough. One lane in a hundred, and a loop
+// that no pixel of a group is in costs nothing.
 //
 // Theorem: let the offset at a place of the curve be h, along the normal n on the screen, and let it grow across the curve,
 // per cell, by a along the fold t and by `tilt` a along n. On the curve n.f has no zero within d cells, 0 < d <= a / 4 K, if
