@@ -127,6 +127,39 @@ bool addSpot(Json& json, std::uint64_t seed, std::uint64_t index) {
   return true;
 }
 
+/// Of some scenes a lamp: a shade with one to three lights in its focus, or beside it, that it alone casts
+/// the shadow of; from numbers of its own, too. Whether there is one.
+bool addLamp(Json& json, std::uint64_t seed, std::uint64_t index) {
+  constexpr std::uint64_t kOwnNumbers = 0x6c616d70;
+  Numbers n(seed ^ kOwnNumbers, index);
+  if (!n.chance(0.15)) return false;
+  const double focalLength = rounded(n.magnitude(0.03, 1)), height = rounded(n.magnitude(0.3, 2));
+  json["surfaces"]["shade"] = {{"type", "paraboloid"}, {"focal_length", focalLength}, {"height", height}};
+  Json bulbs = Json::array();
+  const int lights = n.chance(0.6) ? 1 : n.whole(2, 3);
+  for (int i = 0; i < lights; ++i) {
+    Json light = {{"intensity", rounded(n.between(0.2, 0.6))},
+                  {"shadow", "exact"},
+                  {"casters", Json::array({"shade"})}};
+    if (n.chance(0.15)) light["spot"] = {{"inner", 0.2}, {"outer", rounded(n.between(0.3, 1.5))}};
+    const double off = n.chance(0.2) ? n.magnitude(1e-6, 0.1) : 0;
+    bulbs.push_back({{"name", "bulb" + std::to_string(i)},
+                     {"translate", {0, focalLength + off, 0}},
+                     {"rotate", {{"axis", {1, 0, 0}}, {"angle", rounded(n.between(0, 3.1))}}},
+                     {"light", std::move(light)}});
+  }
+  const double scale = rounded(n.between(0.4, 1.5)), across = n.chance(0.1) ? rounded(1.2 * scale) : scale;
+  const double x = n.between(-kHalf, kHalf), y = n.between(0.3, 3), z = n.between(-kHalf, kHalf);
+  json["nodes"].push_back({{"name", "shade"},
+                           {"surface", "shade"},
+                           {"material", n.chance(0.2) ? "b" : "a"},
+                           {"translate", vectorJson(x, y, z)},
+                           {"rotate", turned(n)},
+                           {"scale", {across, scale, scale}},
+                           {"children", std::move(bulbs)}});
+  return true;
+}
+
 /// As people look at a table, mostly.
 HardCamera cameraOver(const Json& json, PixelSize size, Numbers& n) {
   if (n.chance(0.35)) return hardCamera(takeSnapshot(sceneOf(json), 0, size, Camera{}), n);
@@ -173,6 +206,7 @@ HardScene crowdScene(std::uint64_t seed, std::uint64_t index, const HardSceneOpt
   const int lights = n.chance(0.5) ? 1 : n.whole(2, 4);
   for (int i = 0; i < lights; ++i) crowd.kind += "+" + addLight(crowd.json, i, surfaces, n);
   if (addSpot(crowd.json, seed, index)) crowd.kind += "+spot";
+  if (addLamp(crowd.json, seed, index)) crowd.kind += "+lamp";
   const HardCamera camera = cameraOver(crowd.json, size, n);
   crowd.camera = camera.kind;
   crowd.json["camera"] = camera.json;

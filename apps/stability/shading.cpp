@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view kNoLights = R"(
 #include "lib/illumination.glsl"
 LightData lightAt(uint i) { return LightData(vec4(0), vec3(0), 0u); }
-ShadeData shadeAt(uint i) { return ShadeData(vec3(0), 0.0, 0.0); }
+ShadeData shadeAt(uint i) { return ShadeData(vec3(0), 0.0, 0.0, 0); }
 SpotData spotAt(uint i) { return SpotData(vec3(0), vec3(0), 0.0, 0.0); }
 )";
 

@@ -16,15 +16,16 @@ namespace luxo {
 /// Collects the distinct sets of lights of a picture; equal sets share one entry.
 class LightSets {
  public:
-  /// All three must outlive this. The first set has no light: draws without any have one to bind.
+  /// `snapshot` and `sets` must outlive this. The first set has no light: draws without any have one to bind.
   /// `origin`: shadingOrigin().
   LightSets(const Snapshot& snapshot, const DrawOptions& options, const Vec3& origin,
             std::vector<shared::LightSet>& sets);
 
   struct Choice {
     std::uint32_t index = 0, plain = 0, shaded = 0;
-    std::uint32_t spots = 0;    ///< which of them are spots, a bit each
-    std::uint32_t shadeOf = 0;  ///< 1 + which of the shaded lights the node is the shade of; 0: none
+    std::uint32_t spots = 0;  ///< which of them are spots, a bit each
+    std::uint32_t shadeOf =
+        0;  ///< shared::ShadeData::number of the lights whose shade the node is; 0: of none
     std::vector<std::uint32_t> lights = {};  ///< indices into Snapshot::lights, in the set's order
   };
 
@@ -33,12 +34,14 @@ class LightSets {
   [[nodiscard]] Choice choose(std::span<const std::uint32_t> lights, const SnapshotNode& node);
 
  private:
+  [[nodiscard]] bool isShaded(const SnapshotLight& light) const { return closedForms_ && light.shade; }
   std::uint32_t indexOf(const std::vector<std::uint32_t>& order);
   [[nodiscard]] shared::LightSet build(const std::vector<std::uint32_t>& order) const;
-  [[nodiscard]] shared::ShadeData shadeData(const ShadeRule& rule) const;
+  /// From 1, of the first of the shaded lights that sit in the caster; 0 where none does.
+  [[nodiscard]] std::uint32_t numberOf(NodeId caster, std::span<const std::uint32_t> shaded) const;
 
   const Snapshot& snapshot_;
-  const DrawOptions& options_;
+  bool closedForms_;
   Vec3 origin_;
   std::vector<shared::LightSet>& sets_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> known_;

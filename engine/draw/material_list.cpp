@@ -44,7 +44,7 @@ static_assert(static_cast<std::uint32_t>(Blend::Over) == shared::kBlendOver &&
 bool isDrawnAgain(Shading shading) { return shading == Shading::Gouraud || shading == Shading::Toon; }
 
 /// As few groups as have room for all lights; but one some of which gets through its casters is alone. Those
-/// that are shaded in closed form are in one, the last, as they are the last of their sets.
+/// that are shaded in closed form are in one, as materials have one shade's number; the last.
 std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
                                                  std::span<const std::uint32_t> lights) {
   std::vector<std::vector<std::uint32_t>> groups(1);
@@ -123,7 +123,7 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const std::vector<std::uint32_t> lights(distinct.begin(), distinct.end());
   const std::vector<Material>& materials = snapshot.materials;
   shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(lights, [&](std::uint32_t light) {
-               return !snapshot.lights[light].casters.empty();
+               return snapshot.lights[light].hasShadow();
              });
   const bool textures = std::ranges::any_of(materials, &Material::drawsMaps);
   const bool possible = options.output == Output::Color && !showsData(options.shading) &&

@@ -56,8 +56,7 @@ void MaterialPrograms::tellShadows(const Snapshot& snapshot) {
     const Material& material = snapshot.materials[node.material.index];
     if (!material.shader || !material.shader->hasOpacity() || material.invisible()) continue;
     const bool casts = std::ranges::any_of(snapshot.lights, [&](const SnapshotLight& light) {
-      return std::ranges::find(light.casters, node.id) != light.casters.end() ||
-             (light.shade && light.shade->caster == node.id);
+      return std::ranges::find(light.casters, node.id) != light.casters.end();
     });
     if (!casts) continue;
     const std::string message = fmt::format(

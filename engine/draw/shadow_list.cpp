@@ -490,9 +490,9 @@ bool hasTransparentCaster(const Snapshot& snapshot, const SnapshotLight& light) 
   });
 }
 
-/// Whether rays tell of its shadow.
-bool isFound(const Snapshot& snapshot, const SnapshotLight& light) {
-  return !light.casters.empty() && (!light.map || hasTransparentCaster(snapshot, light));
+/// Whether its shadow has to be found; `closedForms`: hasClosedForms().
+bool asksCasters(const SnapshotLight& light, bool closedForms) {
+  return light.hasShadow() && !(closedForms && light.shade);
 }
 
 }  // namespace
@@ -501,28 +501,39 @@ bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
   return light.map || hasTransparentCaster(snapshot, light);
 }
 
-bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
-  return options.shadows == ShadowKinds::All && options.output == Output::Color &&
-         !showsData(options.shading) && std::ranges::any_of(snapshot.lights, [](const SnapshotLight& light) {
-           return !light.casters.empty();
+bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options) {
+  return options.shadows != ShadowKinds::None &&
+         std::ranges::all_of(snapshot.nodes, [&](const SnapshotNode& node) {
+           return snapshot.materials[node.material.index].shadingIn(options.shading) == Shading::Exact;
          });
+}
+
+bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {
+  if (options.shadows != ShadowKinds::All || options.output != Output::Color || showsData(options.shading))
+    return false;
+  const bool closedForms = hasClosedForms(snapshot, options);
+  return std::ranges::any_of(snapshot.lights,
+                             [&](const SnapshotLight& light) { return asksCasters(light, closedForms); });
 }
 
 void listShadows(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                  Geometry& geometry, MaterialList& materials, DrawList& list) {
   if (list.groups.empty() || !materials.shadows()) return;
+  const bool closedForms = hasClosedForms(snapshot, options);
   ShadowLister lister(snapshot, visible, options, geometry, materials, list);
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     LightGroup& group = list.groups[i];
     const std::vector<std::uint32_t>& lights = materials.lightsOf(i);
-    const auto casts = [&](std::uint32_t light) { return !snapshot.lights[light].casters.empty(); };
+    const auto casts = [&](std::uint32_t light) { return asksCasters(snapshot.lights[light], closedForms); };
     if (std::ranges::none_of(lights, casts)) continue;
-    const bool finds = std::ranges::any_of(
-        lights, [&](std::uint32_t light) { return isFound(snapshot, snapshot.lights[light]); });
+    // Whether rays tell of its shadow.
+    const auto isFound = [&](std::uint32_t light) {
+      return casts(light) &&
+             (!snapshot.lights[light].map || hasTransparentCaster(snapshot, snapshot.lights[light]));
+    };
+    const bool finds = std::ranges::any_of(lights, isFound);
     for (std::uint32_t bit = 0; bit < lights.size(); ++bit) {
-      if (finds)
-        group.lights.push_back(isFound(snapshot, snapshot.lights[lights[bit]]) ? std::optional(lights[bit])
-                                                                               : std::nullopt);
+      if (finds) group.lights.push_back(isFound(lights[bit]) ? std::optional(lights[bit]) : std::nullopt);
       if (casts(lights[bit])) lister.list(group, bit, lights[bit]);
     }
     group.transmits = std::ranges::any_of(
@@ -535,7 +546,7 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
     std::uint32_t exact = 0;
     for (std::uint32_t bit = 0; bit < lights.size(); ++bit)
       if (const SnapshotLight& light = snapshot.lights[lights[bit]];
-          casts(lights[bit]) && !light.map && !light.plane)
+          casts(lights[bit]) && !light.approximate())
         exact |= 1U << bit;
     for (auto* batches : {&group.again, &group.layerAgain})
       for (DrawBatch& batch : *batches) {

@@ -17,6 +17,10 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
 /// Whether some of a light gets through what casts its shadow.
 [[nodiscard]] bool transmits(const Snapshot& snapshot, const SnapshotLight& light);
 
+/// Whether lights in lamp shades know where they light a point what their shades keep from it: in exact
+/// pictures, as points of meshes are beside those whose shadow it is.
+[[nodiscard]] bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options);
+
 /// Whether some light of a picture may have a shadow that has to be found.
 [[nodiscard]] bool findsShadows(const Snapshot& snapshot, const DrawOptions& options);
 

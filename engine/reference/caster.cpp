@@ -390,11 +390,6 @@ Vec3 Caster::through(std::uint32_t node, const SnapshotLight& light, const Hit& 
 
 Vec3 Caster::reaching(const SnapshotLight& light, const Hit& hit, bool& certified) const {
   if (light.plane && *light.plane != snapshot_.nodes[hit.node].id) return Vec3(1);
-  if (light.shade) {
-    if (snapshot_.nodes[hit.node].id == light.shade->caster) return Vec3(1);  // its normals decide
-    const std::optional<std::uint32_t> shade = nodeOf(light.shade->caster);
-    return shade ? through(*shade, light, hit, certified) : Vec3(1);
-  }
   Vec3 left(1);
   for (const NodeId caster : light.casters)
     if (const std::optional<std::uint32_t> node = nodeOf(caster);

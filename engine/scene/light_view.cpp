@@ -132,8 +132,7 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size, NodeId light)
   SnapshotLight seen = *std::ranges::min_element(snapshot.lights, {}, &SnapshotLight::id);
   if (seen.pointOf) seen.positionWorld = seen.pointOf->middle;
   std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
-    return std::ranges::find(seen.casters, node.id) == seen.casters.end() &&
-           !(seen.shade && seen.shade->caster == node.id);
+    return std::ranges::find(seen.casters, node.id) == seen.casters.end();
   });
   const Box casters = framingOf(snapshot);
   if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");

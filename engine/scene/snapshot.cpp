@@ -167,19 +167,6 @@ std::vector<NodeId> visibleCasters(const Light& light, const Scene& scene,
   return casters;
 }
 
-/// The closed form of a shadow: one paraboloid casts it, and the light sits in its focus.
-std::optional<ShadeRule> closedForm(const Scene& scene, const std::vector<Placed>& placed,
-                                    const std::vector<NodeId>& casters, const Vec4& light) {
-  if (casters.size() != 1 || light.w == 0) return std::nullopt;
-  const std::optional<Paraboloid> paraboloid = scene[casters[0]].surface.paraboloid();
-  if (!paraboloid) return std::nullopt;
-  std::optional<ShadeRule> rule = shadeRule(*paraboloid, placed[casters[0].index].worldFromNode, casters[0]);
-  if (rule &&
-      !(glm::length(Vec3(light) - rule->focus) <= kFocusTolerance * (rule->focalLength + rule->height)))
-    rule.reset();
-  return rule;
-}
-
 /// Who casts the shadow of the node's light, ascending; none if it has no shadow.
 std::vector<NodeId> castersOf(const NodeThen& then, const std::vector<Placed>& placed) {
   const Light& light = *then.node().light;
@@ -203,16 +190,6 @@ std::optional<NodeId> planeOf(const NodeThen& then) {
                             then.scene.shownName(light.shadowPlane)),
                 kHint);
   return light.shadowPlane;
-}
-
-void setShadow(const Scene& scene, const std::vector<Placed>& placed, const std::vector<NodeId>& casters,
-               SnapshotLight& light) {
-  if (light.approximate()) {
-    light.casters = casters;
-    return;
-  }
-  light.shade = closedForm(scene, placed, casters, light.positionWorld);
-  if (!light.shade) light.casters = casters;
 }
 
 /// By content, so that the order in which the scene was put together leaves no trace. What rarely changes
@@ -278,23 +255,19 @@ std::vector<SnapshotLight> takeLights(const Scene& scene, const std::vector<Plac
     } else if (node.light->spot) {
       light.cone = spotConeAt(*node.light, -backwardOf(then, placed[i].worldFromNode), moment, nodeName);
     }
-    const std::vector<NodeId> casters = castersOf(then, placed);
+    light.casters = castersOf(then, placed);
     light.plane = planeOf(then);
     const std::uint32_t samples = std::min(node.light->shadowSamples, mostShadowSamples);
-    if (node.light->shadow == Light::Shadow::Map && !casters.empty()) {
+    if (node.light->shadow == Light::Shadow::Map && light.hasShadow()) {
       light.map = shadowMapAt(*node.light, moment, nodeName);
       light.samples = light.map->radius > 0 ? samples : 1;
-      light.casters = casters;
       lights.push_back(std::move(light));
       continue;
     }
-    const double radius = casters.empty() ? 0 : radiusAt(*node.light, moment, nodeName);
-    for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius, samples)) {
-      setShadow(scene, placed, casters, one);
+    const double radius = light.hasShadow() ? radiusAt(*node.light, moment, nodeName) : 0;
+    for (SnapshotLight& one : sampledLight(light, placed[i].worldFromNode, radius, samples))
       lights.push_back(std::move(one));
-    }
   }
-  std::ranges::sort(lights, precedes);
   return lights;
 }
 
@@ -366,19 +339,21 @@ void spreadOverGlass(Snapshot& snapshot) {
       lights.push_back(std::move(one));
   }
   snapshot.lights = std::move(lights);
-  std::ranges::sort(snapshot.lights, precedes);
 }
 
-/// A shade that lets light through has no closed form.
-void openShades(Snapshot& snapshot) {
-  for (SnapshotLight& light : snapshot.lights) {
-    if (!light.shade) continue;
-    const auto node = std::ranges::find(snapshot.nodes, light.shade->caster, &SnapshotNode::id);
-    if (node == snapshot.nodes.end() || !snapshot.materials[node->material.index].letsLightThrough())
-      continue;
-    light.casters = {light.shade->caster};
-    light.shade.reset();
-  }
+/// The closed form of an exact shadow: one opaque paraboloid casts it, and the light sits in its focus.
+std::optional<ShadeRule> closedForm(const SnapshotLight& light, const Snapshot& snapshot) {
+  if (light.approximate() || light.directional() || light.casters.size() != 1) return std::nullopt;
+  const auto caster = std::ranges::find(snapshot.nodes, light.casters[0], &SnapshotNode::id);
+  if (caster == snapshot.nodes.end() || snapshot.materials[caster->material.index].letsLightThrough())
+    return std::nullopt;
+  const std::optional<Paraboloid> paraboloid = caster->surface.paraboloid();
+  if (!paraboloid) return std::nullopt;
+  std::optional<ShadeRule> rule = shadeRule(*paraboloid, caster->worldFromObject, caster->id);
+  if (rule && !(glm::length(Vec3(light.positionWorld) - rule->focus) <=
+                kFocusTolerance * (rule->focalLength + rule->height)))
+    rule.reset();
+  return rule;
 }
 
 /// Everything but the view.
@@ -393,8 +368,9 @@ Snapshot takeUnseen(const Scene& scene, const Moment& moment, std::uint32_t most
   snapshot.materials = takeMaterials(scene, moment, snapshot.cutNumbers);
   moveVertices(scene, snapshot);
   cutLights(snapshot);
-  openShades(snapshot);
   spreadOverGlass(snapshot);
+  for (SnapshotLight& light : snapshot.lights) light.shade = closedForm(light, snapshot);
+  std::ranges::sort(snapshot.lights, precedes);
   requirePlanarShadows(scene, snapshot, moment);
   return snapshot;
 }

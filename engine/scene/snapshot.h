@@ -48,11 +48,9 @@ struct SnapshotLight {
   Vec3 radiance{0};  ///< color * intensity
   Light::Attenuation attenuation = Light::Attenuation::None;
   std::optional<SpotCone> cone = {};  ///< of a spot
-  /// Its exact shadow, if it has one: in closed form, of the lamp shade around this light; or what casts it,
-  /// ascending.
-  std::optional<ShadeRule> shade;
-  std::vector<NodeId> casters;
-  std::optional<NodeId> plane = {};  ///< what a planar shadow falls on: it is on nothing else
+  std::vector<NodeId> casters;        ///< of its shadow, ascending; none where it has no shadow
+  std::optional<ShadeRule> shade;     ///< the closed form of its exact shadow, if there is one
+  std::optional<NodeId> plane = {};   ///< what a planar shadow falls on: it is on nothing else
   /// Its shadow is that of a depth map, but of what is seen through, which is exact: of a light with a radius
   /// that has such casters from each of its points.
   std::optional<ShadowMapThen> map = {};
@@ -70,7 +68,7 @@ struct SnapshotLight {
     return cone ? spotAttenuation(*cone, -from(pointWorld)) : 1;
   }
   [[nodiscard]] bool approximate() const { return plane || map; }
-  [[nodiscard]] bool hasShadow() const { return shade.has_value() || !casters.empty(); }
+  [[nodiscard]] bool hasShadow() const { return !casters.empty(); }
   friend bool operator==(const SnapshotLight&, const SnapshotLight&) = default;
 };
 

@@ -34,9 +34,7 @@ vec3 glowAt(vec2 parameters);
 bool isLit(uint i, vec3 toLight) {
   uint light = 1u << i;
   if ((kExactShadows & light) != 0 && (inNumbers.x & kLectureSpecular) == 0 && dot(point.normal, toLight) <= 0.0) return false;
-  if (i < kPlainLights) return reachesPoint(i);
-  uint shade = i - kPlainLights;
-  return shadeOf(inNumbers.x) == shade + 1 || litThroughShade(shadeAt(shade), -toLight);
+  return reachesPoint(i);
 }
 
 vec3 interpolatedLight(vec3 diffuse) {

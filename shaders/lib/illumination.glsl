@@ -17,9 +17,6 @@ vec3 lightTransmittance();  // how much of the only light gets through to it
 layout(constant_id = kConstantTransmits) const bool kTransmits = false;
 #endif
 
-// 1 + which of the shaded lights the instance is the shade of; 0: none.
-uint shadeOf(uint flags) { return (flags >> kShadeShift) & 255; }
-
 struct Material {
   vec3 ambient;
   vec3 diffuse;
@@ -104,12 +101,13 @@ uint lightsInShadow() {
 #endif
 }
 
-// Whether nothing keeps light i from a point of the material: no caster of the lights in `inShadow`, nor the shade that the
-// lamp's bulb is in.
-bool isReached(uint i, uint inShadow, Material material, vec3 toLight) {
-  if (i < kPlainLights) return (inShadow & (1u << i)) == 0;
-  uint shade = i - kPlainLights;
-  return shadeOf(material.flags) == shade + 1 || litThroughShade(shadeAt(shade), -toLight);
+// Whether nothing keeps light i from a point of a material with these flags: no caster of the lights in `inShadow`, nor the
+// shade that the lamp's bulb is in, which is convex and keeps it from none of its own points.
+bool isReached(uint i, uint inShadow, uint materialFlags, vec3 toLight) {
+  if ((inShadow & (1u << i)) != 0) return false;
+  if (i < kPlainLights) return true;
+  ShadeData shade = shadeAt(i - kPlainLights);
+  return (materialFlags >> kShadeShift & 255) == shade.number || litThroughShade(shade, -toLight);
 }
 
 vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
@@ -122,7 +120,7 @@ vec3 illuminated(Material material, vec3 position, vec3 n, vec3 v) {
 #ifdef LUXO_SHADOWS
     if (kTransmits) reflection *= lightTransmittance();
 #endif
-    sum += isReached(i, inShadow, material, toLight) ? reflection : vec3(0);
+    sum += isReached(i, inShadow, material.flags, toLight) ? reflection : vec3(0);
   }
   return sum;
 }

@@ -29,7 +29,7 @@ vec3 lessonLight(Material material, vec3 glow, Found found) {
     float cosine = dot(n, l), along = max(dot(2.0 * cosine * n - l, -view.forward.xyz), 0.0);
     float power = material.shininess;
     float reflected = along > 0.0 || power == 0.0 ? exp2(power * log2(max(along, kTiny))) : 0.0;
-    vec3 visible = vec3(isReached(i, inShadow, material, toLight) ? 1 : 0);
+    vec3 visible = vec3(isReached(i, inShadow, material.flags, toLight) ? 1 : 0);
 #ifdef LUXO_SHADOWS
     if (kTransmits) visible *= lightTransmittance();
 #endif

@@ -41,7 +41,7 @@ Light light(int index) {
   float squared = dot(toLight, toLight), inverseDistance = inversesqrt(max(squared, kTiny));
   float arriving = data.inverseSquare != 0 ? min(inverseDistance * inverseDistance, kMaxAttenuation) : 1.0;
   arriving *= spotAttenuation(i, litPoint.position, toLight);
-  vec3 visible = vec3(squared > 0.0 && isReached(i, lightsInShadow(), foundMaterial(), toLight) ? 1 : 0);
+  vec3 visible = vec3(squared > 0.0 && isReached(i, lightsInShadow(), foundMaterial().flags, toLight) ? 1 : 0);
 #ifdef LUXO_SHADOWS
   if (kTransmits) visible *= lightTransmittance();
 #endif

@@ -49,10 +49,6 @@ vec3 brightness(vec3 n) {
 #ifdef LUXO_NORMAL_MAP
     shines = shines && dot(horizonNormal, toLight) > 0.0;
 #endif
-    if (i >= kPlainLights) {
-      uint shade = i - kPlainLights;
-      shines = shines && (shadeOf(inNumbers.x) == shade + 1 || litThroughShade(shadeAt(shade), -toLight));
-    }
     bright = max(bright, shines ? covers : vec3(0));
   }
   return bright;

@@ -99,7 +99,7 @@ LUXO_CONSTANT kUndecided = 128;
 // Material flags, which join these.
 LUXO_CONSTANT kLectureSpecular = 2;  // the highlight is not gated by N.L > 0
 LUXO_CONSTANT kPatternAmbient = 4;   // the ambient colour is the pattern's, times MaterialData::ambient
-LUXO_CONSTANT kShadeShift = 8;  // 8 bits from here: 1 + index, in the light set, of the shaded light whose shade is made of it
+LUXO_CONSTANT kShadeShift = 8;       // 8 bits from here: ShadeData::number of the lights whose shade is made of it, or 0
 
 // Flags of draws, which join these.
 LUXO_CONSTANT kBackSide = 1 << 22;     // these triangles, seen from the front, lead to the back of the surface
@@ -239,6 +239,7 @@ struct ShadeData {
   vec3 axis;  // unit, from the vertex through the focus out of the opening
   float cosRim;
   float reach;  // points nearer to the focus than `reach` more than they are along the axis are inside the shade
+  uint number;  // from 1, of the first in the light set with the same shade
 };
 
 // The cone of a spot (engine/scene/spot_cone.h).
@@ -499,12 +500,12 @@ static_assert(kEquationLowest + 3 == kEquationHighest && kEquationHighest + 3 ==
               kEquationV + 3 == kEquationScale);
 static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kFaultSeenThrough < 8);
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
-static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 20);
+static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 24);
 static_assert(kMaxLights <= 32);  // a bit each
 static_assert(sizeof(CasterCell) == 44 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 92 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);
-static_assert(sizeof(LightSet) == 2816 && sizeof(SpotData) == 32 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1664 && offsetof(LightSet, spots) == 1792);
+static_assert(sizeof(LightSet) == 2944 && sizeof(SpotData) == 32 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1792 && offsetof(LightSet, spots) == 1920);
 static_assert(sizeof(FlatShadow) == 104 && sizeof(LightMapFace) == 48 && sizeof(LightMap) == 348);
 static_assert(sizeof(TraceRay) == 16 && sizeof(TraceQuestion) == 32 && sizeof(TraceAnswer) == 68 && sizeof(ShaderFaults) == 16);
 static_assert(sizeof(ShellDraw) == 8 && sizeof(RayTarget) == 12);

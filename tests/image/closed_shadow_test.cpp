@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -146,6 +147,58 @@ TEST_F(ClosedShadowTest, OfAThinRingAskFewRays) {
     // Its shadow is up to 1,000 pixels long and a tenth of one wide: of the picture's 76,800.
     EXPECT_GT(found.statistics.error.shadowRaysPx, 0U);
     EXPECT_LE(found.statistics.error.shadowRaysPx, 200U);
+  }
+}
+
+/// A lamp of two lights in the focus of one shade, beside one of its own, over a ball and a floor.
+Scene lamps(const char* casters = R"("head")") {
+  return buildScene(parseScene(fmt::format(R"({{ "luxo": 1, "render": {{ "ambient": 0.1 }},
+           "surfaces": {{ "shade": {{ "type": "paraboloid", "focal_length": 0.2, "height": 1.8 }},
+                         "floor": {{ "type": "rectangle", "size": [12, 12] }},
+                         "ball": {{ "type": "sphere", "radius": 0.6 }},
+                         "dust": {{ "type": "sphere", "radius": 0.01 }} }},
+           "materials": {{ "both": {{ "diffuse": 0.7, "two_sided": true }} }},
+           "camera": {{ "eye": [4, 5, 6], "look_at": [0, 1.5, 0], "fov_y": "45deg" }},
+           "nodes": [ {{ "surface": "floor" }}, {{ "surface": "ball", "translate": [1, 0.8, 1.4] }},
+                      {{ "name": "dust", "surface": "dust", "translate": [0, -9, 0] }},
+                      {{ "name": "head", "surface": "shade", "material": "both", "translate": [0, 2.5, 0],
+                         "rotate": {{ "axis": [1, 0, -0.3], "angle": 1.9 }}, "children": [
+                           {{ "translate": [0, 0.2, 0], "light": {{ "color": [1, 0.3, 0.2], "shadow": "exact",
+                              "casters": [{0}] }} }},
+                           {{ "translate": [0, 0.2, 0], "light": {{ "color": [0.2, 0.3, 1], "shadow": "exact",
+                              "casters": [{0}] }} }} ] }},
+                      {{ "name": "other", "surface": "shade", "material": "both", "translate": [-2, 1.5, 1],
+                         "rotate": {{ "axis": [1, 0, 0.4], "angle": 1.4 }}, "scale": [0.5, 0.5, 0.5],
+                         "children": [ {{ "translate": [0, 0.2, 0], "light": {{ "color": [0.2, 1, 0.2],
+                           "intensity": 0.5, "shadow": "exact", "casters": ["other"] }} }} ] }} ] }})",
+                                           casters),
+                               "lamps"));
+}
+
+/// Where rounding would have a shade's wall inside of it in one pixel and outside in the next.
+TEST_F(ClosedShadowTest, ShadesLeaveTheirWallsAllLightInThem) {
+  const Snapshot snapshot = takeSnapshot(lamps(), 0, {160, 120});
+  ASSERT_EQ(
+      std::ranges::count_if(snapshot.lights, [](const SnapshotLight& l) { return l.shade.has_value(); }), 3);
+  const Verified found = verified(snapshot);
+  EXPECT_EQ(found.statistics.count.deferred, 0U);
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  const Image fused = renderer().render(snapshot).image,
+              deferred = renderer().render(snapshot, {.composition = Composition::Deferred}).image;
+  EXPECT_LE(largestDifference(fused, deferred), 2e-6);
+}
+
+/// A point of a mesh is beside that whose shadow it is.
+TEST_F(ClosedShadowTest, ShadesOfMeshesAreCastersLikeOthers) {
+  const Snapshot shade = takeSnapshot(lamps(), 0, {160, 120}),
+                 casters = takeSnapshot(lamps(R"("head", "dust")"), 0, {160, 120});
+  ASSERT_TRUE(shade.lights[1].shade && !casters.lights[0].shade);
+  for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Toon}) {
+    const DrawOptions options{.shading = shading};
+    EXPECT_LE(
+        largestDifference(renderer().render(shade, options).image, renderer().render(casters, options).image),
+        1e-6)
+        << nameOf(shading) << ": lights come in another order";
   }
 }
 

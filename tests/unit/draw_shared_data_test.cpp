@@ -51,7 +51,7 @@ TEST(SharedData, LiesInMemoryAlikeForCppAndShaders) {
                                          LUXO_SHARED("scene_data.h", ExactPatch, firstParameter),
                                          LUXO_SHARED("scene_data.h", ShellDraw, guard),
                                          LUXO_SHARED("scene_data.h", RayTarget, guard),
-                                         LUXO_SHARED("scene_data.h", ShadeData, reach),
+                                         LUXO_SHARED("scene_data.h", ShadeData, number),
                                          LUXO_SHARED("scene_data.h", SpotData, perPenumbra),
                                          LUXO_SHARED("scene_data.h", LightSet, spots),
                                          LUXO_SHARED("scene_data.h", CasterCell, bendsAway),

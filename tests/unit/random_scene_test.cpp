@@ -75,16 +75,16 @@ TEST(CrowdScenes, CanBeReadAndHaveAllSortsOfLights) {
     const Scene scene = sceneOf(crowd.json);
     const Snapshot snapshot = takeSnapshot(scene, 0, scene.settings().size);
     EXPECT_GE(snapshot.nodes.size(), 3U);
-    EXPECT_LE(snapshot.nodes.size(), 12U + 1U);
+    EXPECT_LE(snapshot.nodes.size(), 12U + 2U);
     for (const SnapshotLight& light : snapshot.lights) EXPECT_TRUE(light.hasShadow());
     counts.insert(snapshot.nodes.size());
     for (const Json& node : crowd.json["nodes"])
       if (node.contains("light")) lights.insert(node["light"].contains("radius") ? "soft" : "hard");
     for (const char* kind :
-         {"low sun", "+sun", "direction", "far", "near", "inside", "grazing", "glass", "+spot"})
+         {"low sun", "+sun", "direction", "far", "near", "inside", "grazing", "glass", "+spot", "+lamp"})
       if (crowd.kind.find(kind) != std::string::npos) lights.insert(kind);
   }
-  EXPECT_EQ(lights.size(), 2U + 9U);
+  EXPECT_EQ(lights.size(), 2U + 10U);
   EXPECT_GT(counts.size(), 8U);
 }
 

@@ -271,6 +271,7 @@ TEST(Snapshot, ShadeRuleFollowsTheHierarchy) {
   EXPECT_DOUBLE_EQ(light.shade->focalLength, 0.4);
   EXPECT_DOUBLE_EQ(light.shade->height, 3.6);
   EXPECT_EQ(light.shade->caster, shade);
+  EXPECT_EQ(light.casters, std::vector{shade});
 }
 
 TEST(Snapshot, InvisibleShadesCastNoShadow) {
