@@ -167,7 +167,9 @@ void registerFrames(gpu::Context& context, const Scene& lamp, Tuning tuning) {
     for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Wireframe})
       for (const int samples : {1, 4})
         add(fmt::format("{}/still_{}x", nameOf(shading), samples), &Frames::untilFinished,
-            {.size = size, .options = {.shading = shading, .samples = samples}});
+            {.size = size,
+             // Shadows are where both can tell them: between vertices, too.
+             .options = {.shading = shading, .samples = samples, .shadows = ShadowKinds::ClosedForms}});
   }
 }
 

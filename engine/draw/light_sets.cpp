@@ -10,9 +10,26 @@
 #include "base/error.h"
 #include "draw/draw_list.h"
 #include "draw/shadow_list.h"
+#include "math/transform.h"
+#include "tessellate/tessellator.h"
 
 namespace luxo {
 namespace {
+
+/// How far what is drawn of a shade may lie inside its true wall, metres: its mesh; a shade that is found in
+/// every pixel is the true wall. It does not depend on whether the shade is seen, as what it lights may be.
+double wallError(const Snapshot& snapshot, NodeId shade, const DrawOptions& options) {
+  const auto node = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
+                                 [&](const SnapshotNode& n) { return n.id == shade; });
+  if (node == snapshot.nodes.end() || findsSurface(snapshot, *node, options)) return 0;
+  if (node->segments)
+    return deviationBound(node->surface, node->parameters, *node->segments) *
+           largestStretch(node->worldFromObject.linear);
+  const View& view = snapshot.view;
+  const Sphere sphere = sphereAround(node->boundsWorld);
+  const double depth = glm::dot(sphere.center - view.eye, view.forward()) + sphere.radius;
+  return options.tolerancePx * (view.perspective() ? std::max(depth, view.near) : 1) / view.pixelsPerUnit;
+}
 
 /// Metres: what is farther away is a direction, as floats have no room for its square.
 constexpr double kFarthest = 1e18;
@@ -61,7 +78,11 @@ std::uint32_t orderOf(const Snapshot& snapshot, NodeId node) {
 
 LightSets::LightSets(const Snapshot& snapshot, const DrawOptions& options, const Vec3& origin,
                      std::vector<shared::LightSet>& sets)
-    : snapshot_(snapshot), closedForms_(hasClosedForms(snapshot, options)), origin_(origin), sets_(sets) {
+    : snapshot_(snapshot),
+      options_(options),
+      closedForms_(hasClosedForms(snapshot, options)),
+      origin_(origin),
+      sets_(sets) {
   indexOf({});
 }
 
@@ -103,13 +124,22 @@ shared::LightSet LightSets::build(const std::vector<std::uint32_t>& order) const
   }
   for (std::size_t i = 0; i < shaded.size(); ++i) {
     const ShadeRule& rule = *snapshot_.lights[shaded[i]].shade;
-    // Inside the paraboloid points are nearer to the focus than to the directrix plane, 2 f behind it.
-    set.shades[i] = {.axis = Vec3f(rule.axis),
-                     .cosRim = static_cast<float>(rule.cosRim),
-                     .reach = static_cast<float>(2 * rule.focalLength),
-                     .number = numberOf(rule.caster, shaded)};
+    set.shades[i] = shadeData(rule);
+    set.shades[i].number = numberOf(rule.caster, shaded);
   }
   return set;
+}
+
+/// A point is inside the paraboloid if it is nearer to the focus than to the directrix plane, which is
+/// twice the focal length behind the focus. What protrudes between the true wall and its mesh is seen from
+/// outside and must not be lit from inside: the difference of the two distances grows by at most two per
+/// metre from the wall.
+shared::ShadeData LightSets::shadeData(const ShadeRule& rule) const {
+  const double inside = 2 * rule.focalLength;
+  return {.axis = Vec3f(rule.axis),
+          .cosRim = static_cast<float>(rule.cosRim),
+          .reach = static_cast<float>(inside - 2 * wallError(snapshot_, rule.caster, options_)),
+          .number = 0};
 }
 
 std::uint32_t LightSets::numberOf(NodeId caster, std::span<const std::uint32_t> shaded) const {

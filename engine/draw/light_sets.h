@@ -16,7 +16,7 @@ namespace luxo {
 /// Collects the distinct sets of lights of a picture; equal sets share one entry.
 class LightSets {
  public:
-  /// `snapshot` and `sets` must outlive this. The first set has no light: draws without any have one to bind.
+  /// All three must outlive this. The first set has no light: draws without any have one to bind.
   /// `origin`: shadingOrigin().
   LightSets(const Snapshot& snapshot, const DrawOptions& options, const Vec3& origin,
             std::vector<shared::LightSet>& sets);
@@ -34,6 +34,7 @@ class LightSets {
   [[nodiscard]] Choice choose(std::span<const std::uint32_t> lights, const SnapshotNode& node);
 
  private:
+  [[nodiscard]] shared::ShadeData shadeData(const ShadeRule& rule) const;
   [[nodiscard]] bool isShaded(const SnapshotLight& light) const { return closedForms_ && light.shade; }
   std::uint32_t indexOf(const std::vector<std::uint32_t>& order);
   [[nodiscard]] shared::LightSet build(const std::vector<std::uint32_t>& order) const;
@@ -41,6 +42,7 @@ class LightSets {
   [[nodiscard]] std::uint32_t numberOf(NodeId caster, std::span<const std::uint32_t> shaded) const;
 
   const Snapshot& snapshot_;
+  const DrawOptions& options_;
   bool closedForms_;
   Vec3 origin_;
   std::vector<shared::LightSet>& sets_;

@@ -22,7 +22,7 @@ bool ambientFollowsPattern(const Material& material) {
   return Paint::of(material).valid() && !material.ambient;
 }
 
-/// `shadeOf`: 1 + which of the shaded lights it is the shade of.
+/// `shadeOf`: LightSets::Choice::shadeOf.
 shared::MaterialData materialData(const Material& material, const Vec3& ambient, std::uint32_t shadeOf) {
   const bool follows = ambientFollowsPattern(material);
   return {.ambient = Vec3f(follows ? ambient : material.ambientOrDiffuse() * ambient),
@@ -46,11 +46,11 @@ bool isDrawnAgain(Shading shading) { return shading == Shading::Gouraud || shadi
 /// As few groups as have room for all lights; but one some of which gets through its casters is alone. Those
 /// that are shaded in closed form are in one, as materials have one shade's number; the last.
 std::vector<std::vector<std::uint32_t>> groupsOf(const Snapshot& snapshot,
-                                                 std::span<const std::uint32_t> lights) {
+                                                 std::span<const std::uint32_t> lights, bool closedForms) {
   std::vector<std::vector<std::uint32_t>> groups(1);
   std::vector<std::uint32_t> shaded, alone;
   for (const std::uint32_t light : lights) {
-    if (snapshot.lights[light].shade) {
+    if (closedForms && snapshot.lights[light].shade) {
       shaded.push_back(light);
       continue;
     }
@@ -122,8 +122,9 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const std::set<std::uint32_t> distinct(visible.lights.begin(), visible.lights.end());
   const std::vector<std::uint32_t> lights(distinct.begin(), distinct.end());
   const std::vector<Material>& materials = snapshot.materials;
+  const bool closedForms = hasClosedForms(snapshot, options);
   shadows_ = findsShadows(snapshot, options) && std::ranges::any_of(lights, [&](std::uint32_t light) {
-               return snapshot.lights[light].hasShadow();
+               return asksCasters(snapshot.lights[light], closedForms);
              });
   const bool textures = std::ranges::any_of(materials, &Material::drawsMaps);
   const bool possible = options.output == Output::Color && !showsData(options.shading) &&
@@ -151,7 +152,7 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
       std::ranges::any_of(materials, [](const Material& material) { return material.shader != nullptr; });
   if (list_.deferred || hasLayers(snapshot, options)) {
     if (options.output == Output::Color)
-      groups_ = groupsOf(snapshot, lights);
+      groups_ = groupsOf(snapshot, lights, closedForms);
     else
       groups_.resize(1);  // no light: of geometry no more is asked than how opaque it is
   }

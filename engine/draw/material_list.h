@@ -26,8 +26,8 @@ class MaterialList {
   MaterialList(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,
                DrawList& list);
 
-  /// The number of a material of the snapshot; listed when first asked for. `shadeOf`: 1 + which of the
-  /// shaded lights it is the shade of.
+  /// The number of a material of the snapshot; listed when first asked for. `shadeOf`:
+  /// LightSets::Choice::shadeOf.
   /// `node`: where there are shadows each node has a number of its own, as has what is seen through.
   [[nodiscard]] std::uint32_t numberOf(std::uint32_t material, std::uint32_t shadeOf, std::uint32_t node);
   /// Of a node of the snapshot, once it is listed; kMaxFoundMaterials of others.
@@ -54,8 +54,7 @@ class MaterialList {
   [[nodiscard]] bool shadows() const { return shadows_; }
 
  private:
-  /// Notes a draw of each group that lights a pattern; gives which of the shaded lights the node is the shade
-  /// of.
+  /// Notes a draw of each group that lights a pattern; gives LightSets::Choice::shadeOf.
   std::uint32_t shadeLater(const DrawState& shade, LightSets& lightSets, const SnapshotNode& node,
                            std::vector<std::set<DrawState>>& shades);
   [[nodiscard]] std::uint32_t patternNumber(const Paint& pattern);

@@ -36,7 +36,8 @@ struct Audit {
 /// before the light.
 enum class Composition { Auto, Fused, Deferred };
 
-/// Which shadows lights have: none, those of shades in closed form, or those that have to be found, too.
+/// Which shadows lights have: none, those of shades in closed form, wherever they light something, or those
+/// that have to be found, too.
 enum class ShadowKinds { None, ClosedForms, All };
 
 /// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).

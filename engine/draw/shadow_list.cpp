@@ -490,11 +490,6 @@ bool hasTransparentCaster(const Snapshot& snapshot, const SnapshotLight& light) 
   });
 }
 
-/// Whether its shadow has to be found; `closedForms`: hasClosedForms().
-bool asksCasters(const SnapshotLight& light, bool closedForms) {
-  return light.hasShadow() && !(closedForms && light.shade);
-}
-
 }  // namespace
 
 bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
@@ -502,10 +497,14 @@ bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
 }
 
 bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options) {
-  return options.shadows != ShadowKinds::None &&
-         std::ranges::all_of(snapshot.nodes, [&](const SnapshotNode& node) {
-           return snapshot.materials[node.material.index].shadingIn(options.shading) == Shading::Exact;
-         });
+  if (options.shadows != ShadowKinds::All) return options.shadows == ShadowKinds::ClosedForms;
+  return std::ranges::none_of(snapshot.nodes, [&](const SnapshotNode& node) {
+    return snapshot.materials[node.material.index].shadingIn(options.shading) == Shading::Gouraud;
+  });
+}
+
+bool asksCasters(const SnapshotLight& light, bool closedForms) {
+  return light.hasShadow() && !(closedForms && light.shade);
 }
 
 bool findsShadows(const Snapshot& snapshot, const DrawOptions& options) {

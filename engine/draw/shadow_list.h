@@ -17,9 +17,11 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
 /// Whether some of a light gets through what casts its shadow.
 [[nodiscard]] bool transmits(const Snapshot& snapshot, const SnapshotLight& light);
 
-/// Whether lights in lamp shades know where they light a point what their shades keep from it: in exact
-/// pictures, as points of meshes are beside those whose shadow it is.
+/// Whether lights in lamp shades know where they light a point what their shades keep from it: but in
+/// pictures with light between vertices, which would not tell where a shadow's border is.
 [[nodiscard]] bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options);
+/// Whether the shadow of a light has to be found; `closedForms`: hasClosedForms() of its picture.
+[[nodiscard]] bool asksCasters(const SnapshotLight& light, bool closedForms);
 
 /// Whether some light of a picture may have a shadow that has to be found.
 [[nodiscard]] bool findsShadows(const Snapshot& snapshot, const DrawOptions& options);

@@ -23,6 +23,6 @@ bool findPoint(uint material);
 // What it reflects; its diffuse colour, and its opacity.
 void lightPoint(vec3 light, vec4 paint);
 
-bool reachesPoint(uint light) { return (point.shadows & (1u << light)) == 0; }
+uint shadowsOfPoint() { return point.shadows; }
 vec3 throughToPoint() { return kTransmits ? point.transmittance : vec3(1); }
 #endif

@@ -34,7 +34,7 @@ vec3 glowAt(vec2 parameters);
 bool isLit(uint i, vec3 toLight) {
   uint light = 1u << i;
   if ((kExactShadows & light) != 0 && (inNumbers.x & kLectureSpecular) == 0 && dot(point.normal, toLight) <= 0.0) return false;
-  return reachesPoint(i);
+  return isReached(i, shadowsOfPoint(), inNumbers.x, toLight);
 }
 
 vec3 interpolatedLight(vec3 diffuse) {

@@ -20,7 +20,7 @@ vec3 glowAt(vec2 parameters);
 float gradientLength(float x) { return max(length(vec2(dFdx(x), dFdy(x))), 1e-30); }
 
 #ifndef LUXO_LIB_AGAIN_GLSL
-bool reachesPoint(uint light) { return true; }
+uint shadowsOfPoint() { return 0; }
 vec3 throughToPoint() { return vec3(1); }
 #endif
 
@@ -45,7 +45,7 @@ vec3 brightness(vec3 n) {
     float gradient = gradientLength(cosine);
 #endif
     vec3 covers = covered(cosine, gradient, throughToPoint());
-    bool shines = any(greaterThan(light.radiance, vec3(0))) && reachesPoint(i);
+    bool shines = any(greaterThan(light.radiance, vec3(0))) && isReached(i, shadowsOfPoint(), inNumbers.x, toLight);
 #ifdef LUXO_NORMAL_MAP
     shines = shines && dot(horizonNormal, toLight) > 0.0;
 #endif

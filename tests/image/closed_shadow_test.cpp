@@ -188,18 +188,16 @@ TEST_F(ClosedShadowTest, ShadesLeaveTheirWallsAllLightInThem) {
   EXPECT_LE(largestDifference(fused, deferred), 2e-6);
 }
 
-/// A point of a mesh is beside that whose shadow it is.
-TEST_F(ClosedShadowTest, ShadesOfMeshesAreCastersLikeOthers) {
+/// What vertices tell of a shade is not where its shadow ends.
+TEST_F(ClosedShadowTest, ShadesAreCastersLikeOthersOfLightBetweenVertices) {
   const Snapshot shade = takeSnapshot(lamps(), 0, {160, 120}),
                  casters = takeSnapshot(lamps(R"("head", "dust")"), 0, {160, 120});
   ASSERT_TRUE(shade.lights[1].shade && !casters.lights[0].shade);
-  for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Toon}) {
-    const DrawOptions options{.shading = shading};
-    EXPECT_LE(
-        largestDifference(renderer().render(shade, options).image, renderer().render(casters, options).image),
-        1e-6)
-        << nameOf(shading) << ": lights come in another order";
-  }
+  const DrawOptions options{.shading = Shading::Gouraud};
+  // Their lights come in another order.
+  EXPECT_LE(
+      largestDifference(renderer().render(shade, options).image, renderer().render(casters, options).image),
+      1e-6);
 }
 
 }  // namespace

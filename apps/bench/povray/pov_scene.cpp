@@ -103,6 +103,7 @@ Snapshot comparable(Snapshot snapshot, double radiance) {
   for (SnapshotLight& light : snapshot.lights) {
     light.attenuation = Light::Attenuation::None;
     light.shade.reset();
+    light.casters.clear();
     light.radiance = Vec3(radiance);
   }
   return snapshot;
