@@ -498,9 +498,11 @@ bool transmits(const Snapshot& snapshot, const SnapshotLight& light) {
 
 bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options) {
   if (options.shadows != ShadowKinds::All) return options.shadows == ShadowKinds::ClosedForms;
-  return std::ranges::none_of(snapshot.nodes, [&](const SnapshotNode& node) {
-    return snapshot.materials[node.material.index].shadingIn(options.shading) == Shading::Gouraud;
-  });
+  const auto shaded = std::ranges::count_if(
+      snapshot.lights, [](const SnapshotLight& light) { return light.shade.has_value(); });
+  return shaded <= shared::kMaxLights && std::ranges::none_of(snapshot.nodes, [&](const SnapshotNode& node) {
+           return snapshot.materials[node.material.index].shadingIn(options.shading) == Shading::Gouraud;
+         });
 }
 
 bool asksCasters(const SnapshotLight& light, bool closedForms) {

@@ -17,8 +17,9 @@ void listShadows(const Snapshot& snapshot, const VisibleList& visible, const Dra
 /// Whether some of a light gets through what casts its shadow.
 [[nodiscard]] bool transmits(const Snapshot& snapshot, const SnapshotLight& light);
 
-/// Whether lights in lamp shades know where they light a point what their shades keep from it: but in
-/// pictures with light between vertices, which would not tell where a shadow's border is.
+/// Whether lights in lamp shades know where they light a point what their shades keep from it: but where they
+/// are more than one set of lights has room for, and in pictures with light between vertices, which would not
+/// tell where a shadow's border is.
 [[nodiscard]] bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options);
 /// Whether the shadow of a light has to be found; `closedForms`: hasClosedForms() of its picture.
 [[nodiscard]] bool asksCasters(const SnapshotLight& light, bool closedForms);

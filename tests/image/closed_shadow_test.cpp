@@ -200,5 +200,28 @@ TEST_F(ClosedShadowTest, ShadesAreCastersLikeOthersOfLightBetweenVertices) {
       1e-6);
 }
 
+/// Each with a light: more than one set of lights has room for.
+TEST_F(ClosedShadowTest, MoreShadesThanASetHasLightsAreCastersLikeOthers) {
+  std::string lamps;
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 8; ++column)
+      lamps += fmt::format(
+          R"(, {{ "name": "{0}{1}", "surface": "shade", "material": "m", "translate": [{2}, 1.5, {3}],
+                  "rotate": {{ "axis": [1, 0, 0.2], "angle": 3 }}, "children": [ {{ "translate": [0, 0.1, 0],
+                  "light": {{ "intensity": 0.4, "shadow": "exact", "casters": ["{0}{1}"] }} }} ] }})",
+          row, column, 2 * column - 7, 2.5 * row - 5);
+  const Scene hall = buildScene(parseScene(
+      R"({ "luxo": 1, "surfaces": { "shade": { "type": "paraboloid", "focal_length": 0.1, "height": 0.5 },
+                                    "floor": { "type": "rectangle", "size": [16, 16] } },
+           "materials": { "m": { "diffuse": 0.7, "two_sided": true } },
+           "camera": { "eye": [8, 9, 11], "look_at": [0, 0, 0], "fov_y": "50deg" },
+           "nodes": [ { "surface": "floor", "material": "m" })" +
+          lamps + " ] }",
+      "hall"));
+  const Verified found = verified(takeSnapshot(hall, 0, {80, 60}));
+  EXPECT_EQ(found.verification.wrong.total(), 0U);
+  EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+}
+
 }  // namespace
 }  // namespace luxo::test
