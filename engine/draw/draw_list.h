@@ -224,7 +224,7 @@ struct DrawList {
   /// Whether what draws the light of a group asks which lights do not get there. Meshes that are drawn again
   /// ask for every group: one without shadows has to say so.
   [[nodiscard]] bool asksForShadows(const LightGroup& group) const {
-    return !group.lights.empty() || group.transmits || (!group.again.empty() && findsShadows());
+    return !group.lights.empty() || group.transmits || !group.again.empty();
   }
   /// Whether the shadows of one group outlive those of the next.
   [[nodiscard]] bool keepsShadows() const { return groups.size() <= kKeptGroups; }
@@ -278,7 +278,7 @@ inline constexpr double kStandInTolerance = 8;
 [[nodiscard]] bool findsLayers(const Snapshot& snapshot, const SnapshotNode& node,
                                const DrawOptions& options);
 
-/// Throws Error(Scene) when more lights reach a node than a shader takes (shared::kMaxLights).
+/// Throws Error(Scene) when more lights reach a node than a set has room for, and the list is not deferred.
 [[nodiscard]] DrawList listDraws(const Snapshot& snapshot, const VisibleList& visible,
                                  const DrawOptions& options, Geometry& geometry);
 

@@ -13,6 +13,12 @@
 
 namespace luxo {
 
+/// Whether more lights may reach a node than a set has room for: it is lit by one group after the other then,
+/// in deferred form.
+[[nodiscard]] inline bool hasManyLights(const Snapshot& snapshot) {
+  return snapshot.lights.size() > shared::kMaxLights;
+}
+
 /// Collects the distinct sets of lights of a picture; equal sets share one entry.
 class LightSets {
  public:

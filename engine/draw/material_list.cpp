@@ -107,11 +107,12 @@ void requireScreen(const AmbientOcclusion& occlusion, bool possible) {
     throw Error(ErrorKind::Scene, "ambient occlusion by rays is what the reference casts",
                 "render with --engine reference, or set render.ambient_occlusion's method to \"screen\"");
   if (!possible)
-    throw Error(ErrorKind::Scene,
-                fmt::format("ambient occlusion in a scene of more than {} lights without shadows, or of more "
-                            "than {} nodes and materials, is not supported yet",
-                            shared::kMaxLights, shared::kMaxFoundMaterials - 1),
-                "leave render.ambient_occlusion, or some lights, out");
+    throw Error(
+        ErrorKind::Scene,
+        fmt::format("ambient occlusion in a scene of more than {} nodes and materials is not supported "
+                    "yet",
+                    shared::kMaxFoundMaterials - 1),
+        "leave render.ambient_occlusion, or some nodes, out");
 }
 
 }  // namespace
@@ -129,7 +130,6 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const bool textures = std::ranges::any_of(materials, &Material::drawsMaps);
   const bool possible = options.output == Output::Color && !showsData(options.shading) &&
                         options.samples == 1 &&
-                        (shadows_ || hasLayers(snapshot, options) || lights.size() <= shared::kMaxLights) &&
                         (shadows_ || hasLayers(snapshot, options) || textures
                              ? snapshot.nodes.size()
                              : materials.size() * (lights.size() + 1)) < shared::kMaxFoundMaterials;
@@ -138,11 +138,14 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   if (traces && !possible)
     throw Error(
         ErrorKind::Scene,
-        fmt::format("rays that shaders send, in a scene of more than {} lights without shadows, or of "
-                    "more than {} nodes and materials, are not supported yet",
-                    shared::kMaxLights, shared::kMaxFoundMaterials - 1),
-        "leave out some lights, or take the shader's material without trace()");
-  list_.deferred = possible && (options.composition == Composition::Deferred || shadows_ ||
+        fmt::format(
+            "rays that shaders send, in a scene of more than {} nodes and materials, are not supported "
+            "yet",
+            shared::kMaxFoundMaterials - 1),
+        "leave out some nodes, or take the shader's material without trace()");
+  crowded_ = std::ranges::any_of(
+      visible.opaque, [](const VisibleNode& node) { return node.lightCount > shared::kMaxLights; });
+  list_.deferred = possible && (options.composition == Composition::Deferred || shadows_ || crowded_ ||
                                 hasLayers(snapshot, options) || occludes || traces);
   list_.occludes = occludes;
   list_.traces = traces;
@@ -228,7 +231,7 @@ std::uint32_t MaterialList::patternNumber(const Paint& pattern) {
 bool MaterialList::litLater(const DrawState& state) const {
   return list_.deferred && !state.blended &&
          (state.shading == Shading::Exact || state.shading == Shading::Phong ||
-          state.shading == Shading::Flat || (shadows_ && isDrawnAgain(state.shading)));
+          state.shading == Shading::Flat || ((shadows_ || crowded_) && isDrawnAgain(state.shading)));
 }
 
 LightSets::Choice MaterialList::lightLater(DrawBatch& batch, LightSets& lightSets, const SnapshotNode& node) {

@@ -71,6 +71,7 @@ class MaterialList {
   std::vector<std::vector<std::uint32_t>> groups_;         ///< the lights of each
   std::vector<std::set<DrawState>> shades_, layerShades_;  ///< of each
   bool shadows_ = false;
+  bool crowded_ = false;  ///< more lights reach a node than one set has room for
 };
 
 }  // namespace luxo

@@ -10,6 +10,7 @@
 
 #include "base/assert.h"
 #include "base/stopwatch.h"
+#include "draw/light_sets.h"
 #include "draw/measured_pixels.h"
 #include "draw/shadow_list.h"
 #include "tessellate/parallel.h"
@@ -153,7 +154,7 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
   const bool native =
       options.samples == 1 ||
       (options.samples == 4 && !found && !findsShadows(snapshot, options) && !hasLayers(snapshot, options) &&
-       !occludesAmbient(snapshot, options) && !tracesRays(snapshot, options));
+       !occludesAmbient(snapshot, options) && !tracesRays(snapshot, options) && !hasManyLights(snapshot));
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }

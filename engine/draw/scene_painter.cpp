@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/stopwatch.h"
+#include "draw/light_sets.h"
 #include "draw/pass_recorder.h"
 #include "draw/shadow_list.h"
 #include "gpu/barrier.h"
@@ -51,10 +52,10 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
   able.doubles = options.doubles && context_->features().float64;
   able.skips.hidden = options.skips.hidden && context_->deviceInfo().type == gpu::DeviceType::Cpu;
   const auto wanted = static_cast<std::uint32_t>(options.samples);
-  // Shadows and layers are found for one point of each pixel.
+  // Shadows and layers are found, and groups of lights added, for one point of each pixel.
   const bool one = options.output != Output::Color || findsShadows(snapshot, options) ||
                    hasLayers(snapshot, options) || occludesAmbient(snapshot, options) ||
-                   tracesRays(snapshot, options);
+                   tracesRays(snapshot, options) || hasManyLights(snapshot);
   able.samples = one ? 1 : static_cast<int>(context_->supportedSamples(wanted));
   return able;
 }

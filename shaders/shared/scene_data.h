@@ -84,7 +84,7 @@ LUXO_CONSTANT kDoubtsPerWord = 8;
 LUXO_CONSTANT kMaxFoundMaterials = 1 << 20;
 LUXO_CONSTANT kUniformMaterials = 256;
 
-LUXO_CONSTANT kMaxLights = 32;  // that may reach one object
+LUXO_CONSTANT kMaxLights = 32;  // of a set
 
 // Instance flags.
 LUXO_CONSTANT kTwoSided = 1;    // the normal turns toward the viewer

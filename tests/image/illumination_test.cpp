@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light in a pixel against the formula of the lecture, worked out in double: known answers, and what must
 // cancel.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "image/compare.h"
+#include "scene/scene_builder.h"
+#include "scene/scene_reader.h"
 #include "support/picture.h"
 
 namespace luxo::test {
@@ -207,6 +211,38 @@ TEST_F(Illumination, LightsAddUp) {
       ASSERT_TRUE(
           near(colorAt(both, x, y) + colorAt(none, x, y), colorAt(onlyA, x, y) + colorAt(onlyB, x, y), 1e-6))
           << x << ", " << y;
+}
+
+/// More than a set of lights has room for: two in each of 24 places are one of twice the light there.
+TEST_F(Illumination, ManyLightsAreTheSumOfAll) {
+  const auto sceneOf = [](int inEachPlace) {
+    std::string lights;
+    for (int place = 0; place < 24; ++place)
+      for (int i = 0; i < inEachPlace; ++i)
+        lights += fmt::format(R"(, {{ "translate": [{}, {}, {}], "light": {{ "intensity": {} }} }})",
+                              4 * std::cos(place), 1 + 0.2 * place, 4 * std::sin(place), 0.1 / inEachPlace);
+    return buildScene(parseScene(
+        R"({ "luxo": 1, "surfaces": { "ball": { "type": "sphere" }, "floor": { "type": "rectangle", "size": [6, 6] } },
+             "materials": { "m": { "diffuse": [0.6, 0.5, 0.4], "specular": 0.3, "shininess": 12 } },
+             "camera": { "eye": [2, 4, 6], "look_at": [0, 0.5, 0], "fov_y": "45deg" },
+             "nodes": [ { "surface": "floor", "material": "m" },
+                        { "surface": "ball", "material": "m", "translate": [0, 1, 0] })" +
+            lights + " ] }",
+        "lights"));
+  };
+  const Snapshot few = takeSnapshot(sceneOf(1), 0, {80, 60}), many = takeSnapshot(sceneOf(2), 0, {80, 60});
+  ASSERT_EQ(many.lights.size(), 48U);
+  for (const Shading shading :
+       {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon})
+    for (const int samples : {1, 4}) {
+      const DrawOptions options{.shading = shading, .samples = samples};
+      const Picture lit = renderer().render(many, options);
+      EXPECT_GT(lit.statistics.count.deferred, 0U);
+      // Deferred light of a mesh is that of the ray's point, fused that of a corner's rounding beside it.
+      EXPECT_LE(largestDifference(renderer().render(few, options).image, lit.image),
+                shading == Shading::Exact ? 2e-6 : 3e-4)
+          << nameOf(shading) << " in " << samples;
+    }
 }
 
 }  // namespace
