@@ -29,9 +29,8 @@ class LightSets {
 
   struct Choice {
     std::uint32_t index = 0, plain = 0, shaded = 0;
-    std::uint32_t spots = 0;  ///< which of them are spots, a bit each
-    std::uint32_t shadeOf =
-        0;  ///< shared::ShadeData::number of the lights whose shade the node is; 0: of none
+    std::uint32_t spots = 0;    ///< which of them are spots, a bit each
+    std::uint32_t shadeOf = 0;  ///< ShadeData::number of the lights that it is the shade of; 0: of none
     std::vector<std::uint32_t> lights = {};  ///< indices into Snapshot::lights, in the set's order
   };
 

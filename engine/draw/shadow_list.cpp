@@ -500,7 +500,8 @@ bool hasClosedForms(const Snapshot& snapshot, const DrawOptions& options) {
   if (options.shadows != ShadowKinds::All) return options.shadows == ShadowKinds::ClosedForms;
   const auto shaded = std::ranges::count_if(
       snapshot.lights, [](const SnapshotLight& light) { return light.shade.has_value(); });
-  return shaded <= shared::kMaxLights && std::ranges::none_of(snapshot.nodes, [&](const SnapshotNode& node) {
+  return shaded > 0 && shaded <= shared::kMaxLights &&
+         std::ranges::none_of(snapshot.nodes, [&](const SnapshotNode& node) {
            return snapshot.materials[node.material.index].shadingIn(options.shading) == Shading::Gouraud;
          });
 }

@@ -344,8 +344,11 @@ void spreadOverGlass(Snapshot& snapshot) {
 /// The closed form of an exact shadow: one opaque paraboloid casts it, and the light sits in its focus.
 std::optional<ShadeRule> closedForm(const SnapshotLight& light, const Snapshot& snapshot) {
   if (light.approximate() || light.directional() || light.casters.size() != 1) return std::nullopt;
-  const auto caster = std::ranges::find(snapshot.nodes, light.casters[0], &SnapshotNode::id);
-  if (caster == snapshot.nodes.end() || snapshot.materials[caster->material.index].letsLightThrough())
+  const NodeId id = light.casters[0];
+  const auto caster = std::ranges::lower_bound(snapshot.nodes, id.index, {},
+                                               [](const SnapshotNode& node) { return node.id.index; });
+  if (caster == snapshot.nodes.end() || caster->id != id ||
+      snapshot.materials[caster->material.index].letsLightThrough())
     return std::nullopt;
   const std::optional<Paraboloid> paraboloid = caster->surface.paraboloid();
   if (!paraboloid) return std::nullopt;
