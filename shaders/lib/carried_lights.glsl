@@ -14,7 +14,7 @@
 layout(constant_id = kConstantCarries) const bool kCarries = true;
 
 layout(location = kLocationLights) flat LUXO_VARYING vec4 varyingLights[2 * kCarriedLights];   // position; radiance, whether inverse-square
-layout(location = kLocationShades) flat LUXO_VARYING vec4 varyingShades[2 * kCarriedShades];  // axis, cosine of the rim; reach, number
+layout(location = kLocationShades) flat LUXO_VARYING vec4 varyingShades[2 * kCarriedShades];  // axis, cosine of the rim; reach
 
 #ifdef LUXO_VERTEX
 void carryLights() {
@@ -26,7 +26,7 @@ void carryLights() {
   for (uint i = 0; i < kCarriedShades; ++i) {
     ShadeData shade = lightSet.shades[i];
     varyingShades[2 * i] = vec4(shade.axis, shade.cosRim);
-    varyingShades[2 * i + 1] = vec4(shade.reach, shade.number, 0, 0);
+    varyingShades[2 * i + 1] = vec4(shade.reach, 0, 0, 0);
   }
 }
 #else
@@ -39,6 +39,6 @@ LightData lightAt(uint i) {
 ShadeData shadeAt(uint i) {
   if (!kCarries) return lightSet.shades[i];
   if (i >= kCarriedShades) return lightSet.shades[i];
-  return ShadeData(varyingShades[2 * i].xyz, varyingShades[2 * i].w, varyingShades[2 * i + 1].x, uint(varyingShades[2 * i + 1].y));
+  return ShadeData(varyingShades[2 * i].xyz, varyingShades[2 * i].w, varyingShades[2 * i + 1].x, 1);  // the first
 }
 #endif

@@ -17,7 +17,6 @@ void carryLights() {
     pack3(first, shade.axis);
     pack(first + 3, shade.cosRim);
     pack(first + 4, shade.reach);
-    pack(first + 5, shade.number);
   }
 }
 #else
@@ -31,6 +30,6 @@ LightData lightAt(uint i) {
 ShadeData shadeAt(uint i) {
   if (i >= kVaryingShades) return lightSet.shades[i];
   uint first = kFirstShade + kShadeNumbers * i;
-  return ShadeData(packed3(first), packed(first + 3), packed(first + 4), uint(packed(first + 5)));
+  return ShadeData(packed3(first), packed(first + 3), packed(first + 4), 1);  // the first
 }
 #endif

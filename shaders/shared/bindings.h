@@ -216,7 +216,7 @@ LUXO_CONSTANT kVaryings = 30;
 // what makes all others double, and of the formula's parameters.
 LUXO_CONSTANT kLocationPacked = 15;
 LUXO_CONSTANT kLightNumbers = 6;
-LUXO_CONSTANT kShadeNumbers = 6;
+LUXO_CONSTANT kShadeNumbers = 5;
 
 #ifdef __cplusplus
 // Attributes of one kind of vertex have places of their own, among the 16 that every device has. Shaders that declare two at

@@ -488,6 +488,7 @@ inline constexpr uint kLayerFlags =
 static_assert((kLayerMaterial & kLayerFlags) == 0 && (kMaxFoundMaterials & kLayerMaterial) == 0, "a mask, below the flags");
 // What vertices carry: lights, then their shades, do not reach into what follows; of packed numbers at least all but parameters
 // have room, 22 that make the others double among them.
+static_assert(kCarriedShades == 1, "whose number is 1");
 static_assert(kCarriedLights <= kMaxLights && kCarriedShades <= kCarriedLights && kVertexLights <= kMaxLights);
 static_assert(kLocationShades + 2 * kCarriedShades <= kLocationDetail);
 static_assert(kLightNumbers * kCarriedLights + kShadeNumbers * kCarriedShades + 22 <= 4 * (kVaryings - kLocationPacked));
