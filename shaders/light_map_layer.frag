@@ -15,7 +15,7 @@ void main() {
     LayerPoint point = layerPoints[index];
     face = first;
     corner = ivec2(0);
-    layerPoints[index].transmittance *= litByMap(place + point.depth * ray, fromOctahedral(point.normal));
+    layerReaches[index].transmittance *= litByMap(place + point.depth * ray, fromOctahedral(point.normal));
   }
   countEndedLoops();
 }

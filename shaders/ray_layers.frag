@@ -19,9 +19,7 @@ layout(location = kLocationLayerGroup) flat in uint inGroup;
 ReachingLight lightOf(uint rayLayer) { return reachingLights[rayLayer * (inRange.w & ~kUndecidedLayers) + inGroup]; }
 
 void setLight(uint index, uint rayLayer) {
-  ReachingLight light = lightOf(rayLayer);
-  layerPoints[index].shadows = light.shadows;
-  layerPoints[index].transmittance = light.transmittance;
+  layerReaches[index] = lightOf(rayLayer);
 }
 
 // A point of a mesh stays where it is. Rays know what reaches it by what it shows, however often it is drawn.
@@ -68,10 +66,9 @@ void main() {
     index = next;
   }
   layerHeads[layerPixel()] = head;
-  for (uint i = inRange.x; i < inRange.x + inRange.y; ++i)
-    if (kLayerDetails)
-      addLayer(rayLayers[i], rayLayerDetails[i]);
-    else
-      addLayer(rayLayers[i]);
+  for (uint i = inRange.x; i < inRange.x + inRange.y; ++i) {
+    uint index = kLayerDetails ? addLayer(rayLayers[i], rayLayerDetails[i]) : addLayer(rayLayers[i]);
+    if (index != 0) setLight(index, i);
+  }
   countEndedLoops();
 }

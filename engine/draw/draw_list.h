@@ -135,7 +135,8 @@ struct LightGroup {
 
 /// Groups of lights whose shadows have targets of their own, where a picture has no more of them. Else all
 /// share one, which holds those of the last. Measured: rays settle a pixel of most pictures, for which all
-/// shadows were found twice; 64 points of light are two groups. Each takes 4 bytes a pixel, or 20.
+/// shadows were found twice; 64 points of light are two groups. Each takes 4 bytes a pixel,
+/// or 20, and 16 a point that is seen through.
 inline constexpr std::size_t kKeptGroups = 4;
 
 /// A node whose layers are found in every pixel, by searches, as the triangles that it is, or by rays.
@@ -230,6 +231,9 @@ struct DrawList {
   [[nodiscard]] bool keepsShadows() const { return groups.size() <= kKeptGroups; }
   /// Which of their targets a group's are in.
   [[nodiscard]] std::size_t shadowSlot(std::size_t group) const { return keepsShadows() ? group : 0; }
+  [[nodiscard]] std::size_t shadowSlotCount() const {
+    return keepsShadows() ? std::max<std::size_t>(groups.size(), 1) : 1;
+  }
   [[nodiscard]] bool looksForCasters() const { return !casters.casters.empty() || findsShadows(); }
   [[nodiscard]] bool hasLightMaps() const {
     return std::ranges::any_of(groups, [](const LightGroup& group) { return group.map.has_value(); });

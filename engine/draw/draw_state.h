@@ -68,7 +68,7 @@ struct DrawState {
   std::uint32_t patternNumber = 0;  ///< of Form::Shade: MaterialData::pattern
   bool manyMaterials = false;       ///< with it: more than shared::kUniformMaterials
   bool shadows = false;             ///< with it: some lights have shadows that were found
-  bool manyGroups = false;          ///< of Form::ShadeLayers: there are others, which light the same points
+  bool manyGroups = false;          ///< of Form::ShadeLayers: more than have places for what reaches points
   bool addsLight = false;           ///< with it: to what other lights, and the ambient one, have lit
   bool transmits = false;           ///< with it: LightGroup::transmits
   bool occludes = false;            ///< with it: DrawList::occludes

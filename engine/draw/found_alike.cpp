@@ -129,8 +129,7 @@ bool keepsWhatItFinds(const DrawList& list) {
   const bool readsPatterns = std::ranges::any_of(list.opaque, readsPattern) ||
                              std::ranges::any_of(list.layers.meshes, readsPattern) ||
                              std::ranges::any_of(list.layers.searches, readsPattern);
-  // A point that is seen through holds what reaches it of one group.
-  const bool keepsLayers = !list.layers.any() || (list.groups.size() == 1 && !list.hasLightMaps());
+  const bool keepsLayers = !list.layers.any() || (list.keepsShadows() && !list.hasLightMaps());
   return list.deferred && !drawsOver && !readsPatterns && !list.traces && keepsLayers &&
          (list.keepsShadows() || !list.findsShadows());
 }

@@ -10,13 +10,21 @@
 
 namespace luxo {
 
+namespace {
+
+/// Points, by which room is made: where what reaches those of a group of lights begins may be bound then, as
+/// no device asks for more than 256 bytes (minStorageBufferOffsetAlignment).
+constexpr std::uint64_t kStep = 256 / sizeof(shared::ReachingLight);
+
+}  // namespace
+
 LayerLists::LayerLists(gpu::Context& context)
     : context_(&context),
       most_(std::min<std::uint64_t>(kMaxLayerBytes, context.limits().maxStorageBufferRange) /
-                sizeof(shared::LayerPoint) -
+                sizeof(shared::LayerPoint) / kStep * kStep -
             1) {}  // the first is none's
 
-void LayerLists::prepare(VkExtent2D extent, bool details) {
+void LayerLists::prepare(VkExtent2D extent, bool details, std::size_t groups) {
   const VkDeviceSize pixels = VkDeviceSize{extent.width} * extent.height;
   const auto make = [this](VkDeviceSize bytes, gpu::MemoryUse memory, const char* name) {
     return gpu::Buffer(*context_,
@@ -40,22 +48,28 @@ void LayerLists::prepare(VkExtent2D extent, bool details) {
     }
   }
   // Two points a pixel until more are asked for.
-  const std::uint64_t room = std::min(std::max<std::uint64_t>(2 * pixels, wanted_), most_);
-  const bool fits = points_ && room <= room_;
-  if (fits && (!details || details_)) return;
+  const std::uint64_t room =
+      std::min((std::max<std::uint64_t>(2 * pixels, wanted_) / kStep + 1) * kStep - 1, most_);
+  const bool fits = points_ && room <= room_, reachesFit = fits && reachesOf(groups) <= reaches_.size();
+  if (reachesFit && (!details || details_)) return;
   timeline.wait(timeline.submitted());
   if (!fits) {
     room_ = room;
     points_ = {};
     details_ = {};
+    reaches_ = {};
     points_ = make((room + 1) * sizeof(shared::LayerPoint), gpu::MemoryUse::Device, "layers");
   }
-  if (details)
+  if (!reachesFit) {
+    reaches_ = {};
+    reaches_ = make(reachesOf(groups), gpu::MemoryUse::Device, "light on layers");
+  }
+  if (details && !details_)
     details_ = make((room_ + 1) * sizeof(shared::LayerDetail), gpu::MemoryUse::Device, "details of layers");
 }
 
 std::vector<gpu::Buffer*> LayerLists::buffers() {
-  std::vector<gpu::Buffer*> all{&heads_, &points_, &count_, &sums_};
+  std::vector<gpu::Buffer*> all{&heads_, &points_, &reaches_, &count_, &sums_};
   if (details_) all.push_back(&details_);
   return all;
 }

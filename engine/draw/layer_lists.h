@@ -28,8 +28,9 @@ class LayerLists {
   explicit LayerLists(gpu::Context& context);
 
   /// Room for the lists of so many pixels, and for as many points as were asked for, with their details or
-  /// without. Waits for the device where lists have to be made anew.
-  void prepare(VkExtent2D extent, bool details);
+  /// without, and with what of so many groups of lights reaches them. Waits for the device where lists have
+  /// to be made anew.
+  void prepare(VkExtent2D extent, bool details, std::size_t groups);
   [[nodiscard]] std::uint32_t bands() const { return bands_; }
 
   /// Of a recording that is complete.
@@ -45,7 +46,7 @@ class LayerLists {
   bool makeRoom(std::uint64_t more = 0);
 
   /// Copies the lists of a recording that is complete, where they are not of many bands, for the host to
-  /// read. Cost: 84 bytes a point.
+  /// read. Cost: 76 bytes a point.
   void recordPoints(VkCommandBuffer commands);
   /// What pixels have in their lists, in that order; of no pixel where they are of many bands.
   [[nodiscard]] std::vector<std::vector<shared::LayerPoint>> pointsAt(std::span<const PixelPlace> pixels);
@@ -65,6 +66,12 @@ class LayerLists {
   [[nodiscard]] gpu::Buffer& sums() { return sums_; }
   /// Of the points (shared::LayerDetail); where there are none something to bind.
   [[nodiscard]] gpu::Buffer& details() { return details_ ? details_ : points_; }
+  /// What reaches the points (shared::ReachingLight), of one group after the other; and where a group's
+  /// begin, bytes.
+  [[nodiscard]] gpu::Buffer& reaches() { return reaches_; }
+  [[nodiscard]] VkDeviceSize reachesOf(std::size_t group) const {
+    return group * (room_ + 1) * sizeof(shared::ReachingLight);
+  }
   [[nodiscard]] std::vector<gpu::Buffer*> buffers();
   /// For the host to read: of each band.
   [[nodiscard]] gpu::Buffer& counts() { return counts_; }
@@ -74,7 +81,7 @@ class LayerLists {
   VkExtent2D extent_{};
   std::uint64_t most_, room_ = 0, wanted_ = 0;  ///< points
   std::uint32_t bands_ = 1;
-  gpu::Buffer heads_, points_, details_, count_, sums_, counts_;
+  gpu::Buffer heads_, points_, details_, reaches_, count_, sums_, counts_;
   gpu::Buffer readHeads_, readPoints_;
 };
 

@@ -275,7 +275,7 @@ std::uint32_t MaterialList::shadeLater(const DrawState& shade, LightSets& lightS
                         .spots = choice.spots,
                         .pattern = shade.pattern,
                         .patternNumber = patternNumber(shade.pattern),
-                        .manyGroups = groups_.size() > 1,
+                        .manyGroups = groups_.size() > kKeptGroups,
                         .addsLight = i > 0,
                         .occludes = list_.occludes && i == 0});
     list_.groups[i].lightSet = choice.index;
@@ -301,7 +301,7 @@ void MaterialList::listAgain(const DrawBatch& batch, bool layer) {
       again.state.plainLights = group.plainLights;
       again.state.shadedLights = group.shadedLights;
       again.state.spots = group.spots;
-      again.state.manyGroups = groups_.size() > 1;
+      again.state.manyGroups = groups_.size() > kKeptGroups;
       again.state.addsLight = i > 0 || first > 0;
       again.state.firstLight = first;
       again.lightSet = group.lightSet;

@@ -66,6 +66,7 @@ void PassRecorder::record(const Pass& pass) {
   format_ = formatOf(pass, view_.targets().format());
   slot_ = view_.list().shadowSlot(pass.group);
   found_ = bindings_.found.empty() ? VK_NULL_HANDLE : bindings_.found[pass.group];
+  layers_ = bindings_.layers.empty() ? VK_NULL_HANDLE : bindings_.layers[slot_];
   if (pass.clearsLayers) view_.layerLists().clear(commands_, pass.band.index);
   useTargets(pass);
   begin(pass);
@@ -196,7 +197,7 @@ void PassRecorder::draw(const DrawBatch& batch) {
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&lightOffset, 1});
   bindPaint(pipeline, batch.state);
   if (batch.state.form == Form::Layer || batch.state.form == Form::LayerAgain)
-    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+    pipeline.bindSet(commands_, shared::kSetLayers, layers_);
   if (batch.state.form == Form::Again) pipeline.bindSet(commands_, shared::kSetFound, found_);
   if (batch.shell) {
     pipeline.bindSet(commands_, shared::kSetExact, bindings_.exact);
@@ -272,7 +273,7 @@ void PassRecorder::shade(const DrawState& state, std::size_t group, std::span<co
   if (state.form == Form::Shade || state.form == Form::Openness || state.form == Form::AddLight)
     pipeline.bindSet(commands_, shared::kSetFound, found_);
   else
-    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+    pipeline.bindSet(commands_, shared::kSetLayers, layers_);
   for (const PixelRect& area : areas) {
     setScissor(area);
     drawWhole(0);
@@ -293,7 +294,7 @@ void PassRecorder::search(const CasterDraw& draw) {
   pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
   pipeline.bindSet(commands_, shared::kSetShadow, bindings_.shadow);
   if (ofLayers)
-    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+    pipeline.bindSet(commands_, shared::kSetLayers, layers_);
   else
     pipeline.bindSet(commands_, shared::kSetFound, found_);
   setScissor(area);
@@ -363,7 +364,7 @@ void PassRecorder::compareWithMap(Form form, std::size_t group) {
   if (form == Form::LightMap)
     pipeline.bindSet(commands_, shared::kSetFound, found_);
   else
-    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+    pipeline.bindSet(commands_, shared::kSetLayers, layers_);
   drawWhole(static_cast<std::uint32_t>(group));
 }
 
@@ -437,7 +438,7 @@ void PassRecorder::drawTriangles(const DrawState& state, VkBuffer vertices, std:
   if (state.form == Form::LayersByRays) {
     const std::uint32_t noLights = 0;
     pipeline.bindSet(commands_, shared::kSetScene, bindings_.scene, {&noLights, 1});
-    pipeline.bindSet(commands_, shared::kSetLayers, bindings_.layers);
+    pipeline.bindSet(commands_, shared::kSetLayers, layers_);
   }
   const VkExtent2D extent = view_.targets().extent();
   const shared::RayTarget target{Vec2f(extent.width, extent.height), view_.targets().guard()};

@@ -74,6 +74,7 @@ class PassRecorder {
   TargetFormat format_;
   std::size_t slot_ = 0;                    ///< of the shadows of its group
   VkDescriptorSet found_ = VK_NULL_HANDLE;  ///< with these
+  VkDescriptorSet layers_ = VK_NULL_HANDLE;
   PixelRect rows_;
 };
 

@@ -289,8 +289,7 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
   if (!replaces && !list.layers.places.empty())
     add("places of layers", {.searches = true, .casters = list.layers.places});
   if (frame.rays) add("layers of rays", {.rays = frame.rays});
-  // A point holds the shadows of one group.
-  const bool shadowsStay = replaces && list.groups.size() == 1;
+  const bool shadowsStay = replaces && list.keepsShadows();
   for (std::size_t i = 0; i < list.groups.size(); ++i) {
     const LightGroup& group = list.groups[i];
     for (const std::span<const CasterDraw> casters :

@@ -127,10 +127,8 @@ shared::LayerPoint LayerRays::found(const LitPoint& point, float leastDepth) con
   const auto depth = static_cast<float>(glm::dot(hit.position - draws_.origin, view.forward()));
   return {.depth = std::max(depth, leastDepth),
           .material = point.point.material | shared::kLayerByRay | hole,
-          .shadows = point.light.empty() ? 0 : point.light[0].shadows,
           .normal = octahedral(hit.normal),
-          .parameters = Vec2f(surface.isParametric() ? inside(surface.domain(), hit) : Vec2(hit.u, hit.v)),
-          .transmittance = point.light.empty() ? Vec3f(1) : point.light[0].transmittance};
+          .parameters = Vec2f(surface.isParametric() ? inside(surface.domain(), hit) : Vec2(hit.u, hit.v))};
 }
 
 }  // namespace luxo

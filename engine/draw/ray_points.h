@@ -60,7 +60,7 @@ struct RayPoints {
   std::vector<PixelPlace> misses;               ///< where nothing is met
   std::vector<std::vector<RayShadow>> shadows;  ///< by DrawList::groups; none where no light has a shadow
   std::vector<RayLayers> layers;
-  std::vector<shared::LayerPoint> layerPoints;     ///< with the light of the first group
+  std::vector<shared::LayerPoint> layerPoints;
   std::vector<shared::ReachingLight> layerLights;  ///< of each all groups
   std::vector<shared::LayerDetail> layerDetails;   ///< of each; 0 where no map or shader asks for them
   std::vector<PixelPlace> pixels;                  ///< what all that changes

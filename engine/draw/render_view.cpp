@@ -175,7 +175,7 @@ void RenderView::begin(DrawList list, const DrawOptions& options, const VkClearC
        .transmittances = shadowSlots(list_, &LightGroup::transmits),
        .places = list_.findsPlaces,
        .lightDepth = extentOfLightMaps(list_)});
-  if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details);
+  if (list_.layers.any()) layerLists_.prepare(extent, list_.layers.details, list_.shadowSlotCount());
   if (list_.traces) traces_.prepare(extent);
   if (list_.runsShaders && !faults_)
     faults_ = gpu::Buffer(*context_,
@@ -352,7 +352,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     }
   }
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, texels.get(list_.textures));
-  if (list_.layers.any()) bindings.layers = bindLayers(frames, pipelines);
+  for (std::size_t slot = 0; list_.layers.any() && slot < list_.shadowSlotCount(); ++slot)
+    bindings.layers.push_back(bindLayers(frames, pipelines, slot));
   if (hasRays_) {
     bindings.sceneOfRays = sceneOf(rayInstances_);
     bindings.rayVertices = rayVertices_.use(*context_);
@@ -384,12 +385,15 @@ VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& 
                                      texels});
 }
 
-VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines) {
+VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines, std::size_t slot) {
   constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
   const gpu::Buffer& byRays = hasRays_ ? rayLayerPoints_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirLight = hasRays_ ? rayLayerLights_.use(*context_) : layerLists_.points();
   const gpu::Buffer& theirDetails = hasRays_ ? rayLayerDetails_.use(*context_) : layerLists_.points();
   gpu::Texture& found = targets_.texture(list_.occludes ? Target::Found : Target::Depth);
+  // Behind those of the first what adds points finds those of all.
+  const VkDeviceSize begin = layerLists_.reachesOf(slot),
+                     end = layerLists_.reachesOf(list_.shadowSlotCount());
   return frames.descriptors().write(pipelines.layout(SceneSet::Layers),
                                     {layerLists_.heads(),
                                      layerLists_.points(),
@@ -402,7 +406,8 @@ VkDescriptorSet RenderView::bindLayers(gpu::FrameRing& frames, ScenePipelines& p
                                      theirLight,
                                      layerLists_.details(),
                                      theirDetails,
-                                     {found, pipelines.texelSampler()}});
+                                     {found, pipelines.texelSampler()},
+                                     {layerLists_.reaches(), begin, end - begin}});
 }
 
 std::uint32_t RenderView::lightOffset(std::uint32_t lightSet) const {

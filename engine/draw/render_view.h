@@ -92,9 +92,9 @@ class RenderView {
     VkBuffer rayVertices = VK_NULL_HANDLE;          ///< these
     VkBuffer rayShadows = VK_NULL_HANDLE;           ///< and the shadows there
     VkBuffer rayLayers = VK_NULL_HANDLE;            ///< and what is seen through there
-    VkDescriptorSet layers = VK_NULL_HANDLE;        ///< where something is seen through
     VkDescriptorSet shadow = VK_NULL_HANDLE;        ///< where casters are looked for
     std::vector<VkDescriptorSet> found;  ///< what the passes of a deferred picture have found, for each group
+    std::vector<VkDescriptorSet> layers;  ///< where something is seen through, by slot of groups
   };
   [[nodiscard]] Bindings bind(gpu::FrameRing& frames, ScenePipelines& pipelines, TexelStore& texels);
 
@@ -124,7 +124,8 @@ class RenderView {
   void uploadCasters(bool always);
   [[nodiscard]] VkDescriptorSet bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,
                                             VkBufferView texels);
-  [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines);
+  [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines,
+                                           std::size_t slot);
   [[nodiscard]] std::vector<PixelPlace> chooseProbes() const;
 
   gpu::Context* context_;

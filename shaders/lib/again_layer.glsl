@@ -28,7 +28,8 @@ bool findPoint(uint material) {
   }
   if (ownPoint == 0) return false;
   LayerPoint found = layerPoints[ownPoint];
-  point = DrawnPoint(pixelPlace() + found.depth * pixelRay(), fromOctahedral(found.normal), found.shadows, found.transmittance);
+  point = DrawnPoint(pixelPlace() + found.depth * pixelRay(), fromOctahedral(found.normal),
+                     layerReaches[ownPoint].shadows, layerReaches[ownPoint].transmittance);
   return true;
 }
 
@@ -37,7 +38,6 @@ void lightPoint(vec3 light, vec4 paint) {
   vec3 reflected_ = isColor(light) ? paint.a * light : light;  // what a shader tells instead of a colour stays
   layerPoints[ownPoint].light = kAddsLight ? together(layerPoints[ownPoint].light, reflected_) : reflected_;
   layerPoints[ownPoint].through = throughLayer(materials[layerPoints[ownPoint].material & kLayerMaterial].blend, paint.a, paint.rgb);
-  if (!kManyGroups || !isLastOfGroup()) return;  // the next group has its own
-  layerPoints[ownPoint].shadows = 0;
-  layerPoints[ownPoint].transmittance = vec3(1);
+  // The next group's are in the same place.
+  if (kManyGroups && isLastOfGroup()) layerReaches[ownPoint] = kAllReaches;
 }

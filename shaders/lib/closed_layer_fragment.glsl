@@ -21,6 +21,6 @@ void findLayerShadows() {
     uint shadows = closedShadowsAt(start.position, start.normal, litAt(start.drawn, start.drawnNormal), point.depth,
                                    point.material & kLayerMaterial, isOpen);
     if (isOpen) doubtLayers();
-    if (shadows != 0) layerPoints[index].shadows |= shadows;
+    if (shadows != 0) layerReaches[index].shadows |= shadows;
   }
 }

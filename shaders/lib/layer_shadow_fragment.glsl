@@ -17,6 +17,6 @@ void findLayerShadows() {
     if (facesAway(start.drawn, start.drawnNormal)) continue;
     int result = shadowAt(start.position, start.normal, point.depth, (point.material & kLayerMaterial) == varyingMaterial.x);
     if (result == kOpen) doubtLayers();
-    if (result == kMet) layerPoints[index].shadows |= 1u << varyingCaster.y;
+    if (result == kMet) layerReaches[index].shadows |= 1u << varyingCaster.y;
   }
 }

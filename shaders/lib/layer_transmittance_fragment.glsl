@@ -12,13 +12,14 @@ void findLayerTransmittances() {
       return;
     }
     LayerPoint point = layerPoints[index];
+    vec3 before = layerReaches[index].transmittance;
     // Of no light nothing more is left, whatever lets it through.
-    if ((point.material & kLayerByRay) != 0 || point.transmittance == vec3(0)) continue;
+    if ((point.material & kLayerByRay) != 0 || before == vec3(0)) continue;
     LayerStart start = startOf(point, place, ray);
     if (facesAway(start.drawn, start.drawnNormal)) continue;
     vec3 transmittance = transmittanceAt(start.position, start.normal, point.depth,
                                          (point.material & kLayerMaterial) == varyingMaterial.x);
     if (isOpen) doubtLayers();
-    layerPoints[index].transmittance = point.transmittance * transmittance;
+    layerReaches[index].transmittance = before * transmittance;
   }
 }

@@ -13,6 +13,8 @@ layout(scalar, set = kSetLayers, binding = kBindingLayerHeads) buffer LayerHeads
 layout(scalar, set = kSetLayers, binding = kBindingLayerPoints) buffer LayerPoints { LayerPoint layerPoints[]; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerCount) buffer LayerCounts { LayerCount layerCount; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerDoubts) buffer LayerDoubts { uint layerDoubts[]; };
+// Of one group of lights, at the points' indices. Behind the first group's are those of others, for each as many.
+layout(scalar, set = kSetLayers, binding = kBindingLayerReaches) buffer LayerReaches { ReachingLight layerReaches[]; };
 layout(scalar, set = kSetLayers, binding = kBindingLayerDetails) buffer LayerDetails { LayerDetail layerDetails[]; };
 layout(set = kSetLayers, binding = kBindingLayerDepth) uniform sampler2D opaqueDepth;
 
@@ -50,8 +52,10 @@ void countEndedLoops() {
   if (loopsWereEnded()) atomicAdd(layerCount.ended, 1);
 }
 
+const ReachingLight kAllReaches = ReachingLight(0, vec3(1));
+
 // Whoever asks for the list is told how many points there are; where it has no room for them it is asked again. Gives the
-// point's index, 0 without room.
+// point's index, 0 without room. The first group's reaches are bound.
 uint addLayer(LayerPoint point) {
   if (layerCount.points > 0x80000000u) return 0;  // before it wraps
   uint index = atomicAdd(layerCount.points, 1) + 1;  // 0 ends a list
@@ -61,10 +65,9 @@ uint addLayer(LayerPoint point) {
   layerPoints[index].depth = point.depth;
   layerPoints[index].off = point.off;
   layerPoints[index].material = point.material;
-  layerPoints[index].shadows = point.shadows;
   layerPoints[index].normal = point.normal;
   layerPoints[index].parameters = point.parameters;
-  layerPoints[index].transmittance = point.transmittance;
+  for (uint i = index; i < layerReaches.length(); i += layerPoints.length()) layerReaches[i] = kAllReaches;
   return index;
 }
 
@@ -77,7 +80,7 @@ uint addLayer(LayerPoint point, LayerDetail detail) {
 
 // A point that is to be lit.
 LayerPoint unlitPoint(float depth, float off, uint material, vec2 normal, vec2 parameters) {
-  return LayerPoint(0, depth, off, material, 0, normal, parameters, vec3(0), vec3(0), vec3(1), vec3(0), 0, 0);
+  return LayerPoint(0, depth, off, material, normal, parameters, vec3(0), vec3(0), vec3(0), 0, 0);
 }
 
 #ifdef LUXO_FINDS_LAYER

@@ -41,13 +41,12 @@ vec4 normalFrame() { return layerDetail.frame; }
 
 MaterialData material;
 uint numberHere;  // of the material, with the flags of the point
-uint shadowsHere;
-vec3 transmittanceHere;
+ReachingLight reachesHere;
 
 Material foundMaterial() { return materialOf(material); }
 uint foundMaterialNumber() { return 0; }
-uint shadows() { return shadowsHere; }
-vec3 lightTransmittance() { return transmittanceHere; }
+uint shadows() { return reachesHere.shadows; }
+vec3 lightTransmittance() { return reachesHere.transmittance; }
 
 // Whoever includes this knows them: the diffuse colour, and the opacity; once the point is lit.
 vec4 paintOf(Found found);
@@ -76,8 +75,7 @@ void shadeLayers() {
       opennessHere = opennessOf(ivec2(gl_FragCoord.xy), point.depth, found.position, found.normal, found.viewer);
       material.ambient *= opennessHere;
     }
-    shadowsHere = point.shadows;
-    transmittanceHere = point.transmittance;
+    reachesHere = layerReaches[index];
 #ifdef LUXO_TEXTURED
     layerDetail = layerDetails[index];
 #endif
@@ -88,10 +86,7 @@ void shadeLayers() {
     layerPoints[index].light = kQuantity != kLight    ? vec3(paint.a)
                                : isColor(reflected_) ? before + paint.a * reflected_
                                                      : before + reflected_;
-    if (kManyGroups) {  // the next group has its own
-      layerPoints[index].shadows = 0;
-      layerPoints[index].transmittance = vec3(1);
-    }
+    if (kManyGroups) layerReaches[index] = kAllReaches;  // the next group's are in the same place
     layerPoints[index].through = throughLayer(material.blend, paint.a, paint.rgb);
   }
   countEndedLoops();

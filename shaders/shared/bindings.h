@@ -81,7 +81,8 @@ LUXO_CONSTANT kBindingRayLayerLight = 8;
 LUXO_CONSTANT kBindingLayerDetails = 9;     // of the points, where some material asks for them
 LUXO_CONSTANT kBindingRayLayerDetails = 10;
 LUXO_CONSTANT kBindingLayersFound = 11;  // what is not seen through
-LUXO_CONSTANT kLayerBindings = 12;
+LUXO_CONSTANT kBindingLayerReaches = 12;  // of the points, what of a group of lights reaches them
+LUXO_CONSTANT kLayerBindings = 13;
 
 // Specialization constants of the programs that draw a scene. Loops over lights unroll, so that a light that does not
 // reach a draw costs nothing.
@@ -98,7 +99,7 @@ LUXO_CONSTANT kConstantManySamples = 9;
 LUXO_CONSTANT kConstantPattern = 10;         // number of the pattern that a draw lights: MaterialData::pattern
 LUXO_CONSTANT kConstantManyMaterials = 11;   // more than kUniformMaterials
 LUXO_CONSTANT kConstantAddsLight = 12;      // to what is lit already: no ambient light
-LUXO_CONSTANT kConstantManyGroups = 13;     // of lights, for the same points
+LUXO_CONSTANT kConstantManyGroups = 13;     // of lights: more than have places for what reaches points
 LUXO_CONSTANT kConstantTransmits = 14;      // there is one light, some of which gets through its casters
 LUXO_CONSTANT kConstantClosedCasters = 15;  // of a draw
 LUXO_CONSTANT kConstantClosedKind = 16;     // of them all

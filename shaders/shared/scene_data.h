@@ -440,12 +440,10 @@ struct LayerPoint {
   float depth;    // metres along the view axis, beyond that of what positions are relative to
   float off;      // by so much it may be off
   uint material;  // with flags
-  uint shadows;   // the lights, a bit each, that do not reach it
   vec2 normal;    // shaders/lib/octahedral.glsl
   vec2 parameters;
   vec3 light;     // what it reflects, times its opacity; of pictures of geometry the opacity: once it is lit
   vec3 through;   // how much comes through from behind; the same
-  vec3 transmittance;  // how much of a light its casters let through, where that light is all there is
   vec3 place;     // of one that is kLayerPlaced: the surface's own point, relative,
   uint placeNormal;  // and its normal there
   uint triangle;  // of one of triangles: which of its draw's it is in
@@ -465,10 +463,10 @@ struct LayerDetail {
   vec4 frame;      // engine/scene/normal_map.h
 };
 
-// How lights reach a point of what is seen through that a ray has found: those of a group.
+// What of a group of lights reaches a point.
 struct ReachingLight {
-  uint shadows;
-  vec3 transmittance;
+  uint shadows;        // the lights, a bit each, that do not
+  vec3 transmittance;  // how much of a light its casters let through, where that light is all there is
 };
 
 #ifdef __cplusplus
@@ -503,7 +501,7 @@ static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kF
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 24);
 static_assert(kMaxLights <= 32);  // a bit each
-static_assert(sizeof(CasterCell) == 44 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 92 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
+static_assert(sizeof(CasterCell) == 44 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 76 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);
 static_assert(sizeof(LightSet) == 2944 && sizeof(SpotData) == 32 && offsetof(LightSet, shades) == 1024 && offsetof(LightSet, order) == 1792 && offsetof(LightSet, spots) == 1920);

@@ -200,6 +200,15 @@ TEST_F(Relighting, WhatIsSeenThroughAndTheLightThroughItStay) {
   EXPECT_EQ(shadowPassesAfter(paintings()[0]), 0U);
 }
 
+/// What gets through glass is of one point of the light, and of each there is a group.
+TEST_F(Relighting, WhatIsSeenThroughStaysInTheLightOfEachGroup) {
+  Room room;
+  room.materials[1].opacity = 0.5;
+  room.light.radius = 0.3;
+  room.light.shadowSamples = 3;
+  paintingsLitAgain(room, 7);  // light on both from each, and they are blended
+}
+
 /// The first picture lacks room for most of its points, and is drawn again: with nothing kept.
 TEST_F(Relighting, WhatLackedRoomIsFoundAnewFirst) {
   Scene scene;

@@ -426,10 +426,13 @@ TEST(Passes, WhatIsSeenThroughComesAfterWhatIsNot) {
   list.groups.resize(2);
   list.groups[1].layerShades.resize(1);
   EXPECT_EQ(namesOf({.rays = &points}),
-            (Names{"rays* 0", "shade 0", "shade 0", "layers of rays* 0", "layer shadows 1", "layer shadows 1",
-                   "shade layers 0", "shade layers 0", "light on layers of rays* 0", "shade layers 0",
-                   "blend layers 0"}))
-      << "a point of a layer holds the shadows of one group";
+            (Names{"rays* 0", "shade 0", "shade 0", "layers of rays* 0", "shade layers 0", "shade layers 0",
+                   "light on layers of rays* 0", "shade layers 0", "blend layers 0"}))
+      << "those of each group stay";
+  list.groups.resize(kKeptGroups + 1);
+  const Names ofMany = namesOf({.rays = &points});
+  EXPECT_EQ(std::ranges::count(ofMany, "layer shadows 1"), 2) << "but of many groups the last alone has some";
+  list.groups.resize(2);
   // What is not lit later is drawn again, where rays add something to it: else layers would be blended twice.
   list.deferred = false;
   for (DrawBatch& batch : list.opaque) batch.state.form = Form::Fused;
