@@ -582,6 +582,7 @@ pipelines() { sed -n 's/^made \([0-9]*\) pipelines.*/\1/p' "$folder/log"; }
 case_sliders() {
   open_screen
   write_wave wave.luxo.json 'h*sin(k*u)'
+  sleep 0.2  # what was saved a tick before it is read is read again
   view wave.luxo.json --size 640x360 --time 3
   photo given.png
   render_wave --time 3 -o given_file.png
