@@ -61,7 +61,7 @@ class VulkanEngine : public PictureEngine {
     if (deferred && options_.composition == Composition::Fused)
       log(LogLevel::Warning,
           "--composition fused: the picture is deferred all the same, as shadows, what is seen through, "
-          "ambient occlusion and rays of shaders need it");
+          "ambient occlusion, rays of shaders and more than 32 lights on a surface need it");
     if (!deferred && options_.composition == Composition::Deferred)
       log(LogLevel::Warning,
           "--composition deferred: the picture is fused all the same, as it shows no light, or too many "

@@ -137,7 +137,7 @@ struct LightGroup {
 /// share one, which holds those of the last. Measured: rays settle a pixel of most pictures, for which all
 /// shadows were found twice; 64 points of light are two groups. Each takes 4 bytes a pixel,
 /// or 20, and 16 a point that is seen through.
-inline constexpr std::size_t kKeptGroups = 4;
+inline constexpr std::size_t kKeptGroups = shared::kKeptGroups;
 
 /// A node whose layers are found in every pixel, by searches, as the triangles that it is, or by rays.
 struct FoundLayer {

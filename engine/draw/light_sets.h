@@ -13,10 +13,11 @@
 
 namespace luxo {
 
-/// Whether more lights may reach a node than a set has room for: it is lit by one group after the other then,
-/// in deferred form.
-[[nodiscard]] inline bool hasManyLights(const Snapshot& snapshot) {
-  return snapshot.lights.size() > shared::kMaxLights;
+/// Whether more lights may reach a node that is lit than a set has room for: it is lit by one group after the
+/// other then, in deferred form.
+[[nodiscard]] inline bool hasManyLights(const Snapshot& snapshot, const DrawOptions& options) {
+  return snapshot.lights.size() > shared::kMaxLights && !showsData(options.shading) &&
+         options.shading != Shading::Wireframe;
 }
 
 /// Collects the distinct sets of lights of a picture; equal sets share one entry.

@@ -97,9 +97,8 @@ void requireNoShader(const Snapshot& snapshot, std::span<const std::vector<std::
           "the shader of node number {} makes one colour of all lights together, but these come in {} "
           "passes: {}",
           node->number, groups.size(), reasonFor(snapshot, groups)),
-      "leave it the only light, set its shadow to \"none\", name its \"casters\" without what is seen "
-      "through, "
-      "or take the shader's material without its shader");
+      "use fewer lights, set their shadows to \"none\", name their \"casters\" without what is seen "
+      "through, or take the shader's material without its shader");
 }
 
 void requireScreen(const AmbientOcclusion& occlusion, bool possible) {
@@ -143,10 +142,13 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
             "yet",
             shared::kMaxFoundMaterials - 1),
         "leave out some nodes, or take the shader's material without trace()");
-  crowded_ = std::ranges::any_of(
-      visible.opaque, [](const VisibleNode& node) { return node.lightCount > shared::kMaxLights; });
-  list_.deferred = possible && (options.composition == Composition::Deferred || shadows_ || crowded_ ||
-                                hasLayers(snapshot, options) || occludes || traces);
+  crowded_ = std::ranges::any_of(visible.opaque, [&](const VisibleNode& node) {
+    const Material& material = materials[snapshot.nodes[node.node].material.index];
+    return node.lightCount > shared::kMaxLights && material.shadingIn(options.shading) != Shading::Wireframe;
+  });
+  const bool wanted = options.composition == Composition::Deferred && lights.size() <= shared::kMaxLights;
+  list_.deferred =
+      possible && (wanted || shadows_ || crowded_ || hasLayers(snapshot, options) || occludes || traces);
   list_.occludes = occludes;
   list_.traces = traces;
   // Of geometry where it may have holes.

@@ -40,7 +40,8 @@ enum class Composition { Auto, Fused, Deferred };
 /// that have to be found, too.
 enum class ShadowKinds { None, ClosedForms, All };
 
-/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, 1e-6 (exact shading).
+/// Work that no picture needs: no choice changes a bit, or, of `backface` and `hidden`, and of `lights` where
+/// more than 32 are left at a node, which are added in groups, 1e-6 (exact shading).
 struct Skips {
   bool frustum = true;   ///< nodes, and clusters of meshes, outside the picture
   bool small = true;     ///< nodes that cover no sample
@@ -85,9 +86,10 @@ struct DrawOptions {
   /// taken to graze, and searches in double, where they can be.
   bool finerShells = false;
   /// Deferred, whatever this says, where shadows have to be found, something is seen through, ambient light
-  /// is occluded, or shaders send rays. Fused where no light is shown, one pass takes several samples, or
-  /// there are more lights without shadows than a shader takes, or more materials than a found texel numbers;
-  /// shadows, occlusion and such rays are refused there.
+  /// is occluded, shaders send rays, or more lights reach a node than a set has room for
+  /// (shared::kMaxLights). Fused where no light is shown, one pass takes several samples, there are more
+  /// lights than that and no node needs it, or more materials than a found texel numbers; shadows, occlusion,
+  /// such rays and so many lights are refused there.
   Composition composition = Composition::Auto;
   ShadowKinds shadows = ShadowKinds::All;  ///< others: the light reaches what stands behind something, too
   /// Texels along a side of lights' maps of casters (shadow/light_grid.h): how long shadows take, no more.

@@ -151,7 +151,7 @@ class DeferredPasses {
       passes_.push_back(occlusion("shadows", {Target::Shadows, Begin::Clear, gpu::Blend::Or}, index,
                                   group.shadows, group.flatShadows));
     if (raysTell(index)) passes_.push_back(occlusionOfRays("shadows of rays", Target::Shadows, index));
-    probeLastSince(before);
+    if (list_.findsShadows()) probeLastSince(before);
   }
 
   void drawLightMap(std::size_t index) {

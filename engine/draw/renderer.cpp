@@ -152,9 +152,9 @@ bool Renderer::inOnePass(const Snapshot& snapshot, const DrawOptions& options) c
       snapshot.nodes, [&](const SnapshotNode& node) { return findsSurface(snapshot, node, options); });
   const bool auxiliary = options.output != Output::Color;
   const bool native =
-      options.samples == 1 ||
-      (options.samples == 4 && !found && !findsShadows(snapshot, options) && !hasLayers(snapshot, options) &&
-       !occludesAmbient(snapshot, options) && !tracesRays(snapshot, options) && !hasManyLights(snapshot));
+      options.samples == 1 || (options.samples == 4 && !found && !findsShadows(snapshot, options) &&
+                               !hasLayers(snapshot, options) && !occludesAmbient(snapshot, options) &&
+                               !tracesRays(snapshot, options) && !hasManyLights(snapshot, options));
   return auxiliary || (native && context_->supportedSamples(static_cast<std::uint32_t>(options.samples)) ==
                                      static_cast<VkSampleCountFlagBits>(options.samples));
 }

@@ -55,7 +55,7 @@ DrawOptions ScenePainter::possible(const Snapshot& snapshot, const DrawOptions& 
   // Shadows and layers are found, and groups of lights added, for one point of each pixel.
   const bool one = options.output != Output::Color || findsShadows(snapshot, options) ||
                    hasLayers(snapshot, options) || occludesAmbient(snapshot, options) ||
-                   tracesRays(snapshot, options) || hasManyLights(snapshot);
+                   tracesRays(snapshot, options) || hasManyLights(snapshot, options);
   able.samples = one ? 1 : static_cast<int>(context_->supportedSamples(wanted));
   return able;
 }

@@ -32,7 +32,7 @@ struct DeviceInfo {
 inline constexpr std::uint32_t kVaryingComponents = 120;
 /// Storage buffers that a stage of one pipeline reads at most (SceneLayouts): Vulkan promises 4, devices have
 /// 64 or more.
-inline constexpr std::uint32_t kStageStorageBuffers = 26;
+inline constexpr std::uint32_t kStageStorageBuffers = 27;
 /// What a fragment may write to, storage buffers and colours together: Vulkan promises 4, GPUs have 8 or
 /// more. As Vulkan has it (VUID-RuntimeSpirv-Location-06428), buffers that are only read do not count.
 inline constexpr std::uint32_t kFragmentOutputs = 6;

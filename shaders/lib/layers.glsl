@@ -67,7 +67,12 @@ uint addLayer(LayerPoint point) {
   layerPoints[index].material = point.material;
   layerPoints[index].normal = point.normal;
   layerPoints[index].parameters = point.parameters;
-  for (uint i = index; i < layerReaches.length(); i += layerPoints.length()) layerReaches[i] = kAllReaches;
+  // No loop: of those that searches are in devices end what goes round too often (lib/rounds.glsl).
+  uint next = layerPoints.length(), end = layerReaches.length();
+  layerReaches[index] = kAllReaches;
+  if (index + next < end) layerReaches[index + next] = kAllReaches;
+  if (index + 2 * next < end) layerReaches[index + 2 * next] = kAllReaches;
+  if (index + 3 * next < end) layerReaches[index + 3 * next] = kAllReaches;
   return index;
 }
 

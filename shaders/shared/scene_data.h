@@ -463,6 +463,9 @@ struct LayerDetail {
   vec4 frame;      // engine/scene/normal_map.h
 };
 
+// Groups of lights, what of each of which reaches a point is kept, where there are no more (engine/draw/draw_list.h).
+LUXO_CONSTANT kKeptGroups = 4;
+
 // What of a group of lights reaches a point.
 struct ReachingLight {
   uint shadows;        // the lights, a bit each, that do not
@@ -501,6 +504,7 @@ static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kF
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 24);
 static_assert(kMaxLights <= 32);  // a bit each
+static_assert(kKeptGroups == 4, "as addLayer() has them");
 static_assert(sizeof(CasterCell) == 44 && sizeof(GridEntry) == 8 && sizeof(ShadowCaster) == 340 && sizeof(ClosedCaster) == 172 && sizeof(LayerPoint) == 76 && sizeof(LayerDetail) == 32 && sizeof(ReachingLight) == 16);
 static_assert(sizeof(MeshPlace) == 68 && sizeof(ShownPoint) == 12);
 static_assert(sizeof(ExactInstance) == 272 && sizeof(ExactPatch) == 40);

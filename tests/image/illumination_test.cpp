@@ -215,7 +215,7 @@ TEST_F(Illumination, LightsAddUp) {
 
 /// More than a set of lights has room for: two in each of 24 places are one of twice the light there.
 TEST_F(Illumination, ManyLightsAreTheSumOfAll) {
-  const auto sceneOf = [](int inEachPlace) {
+  const auto sceneOf = [](int inEachPlace, const std::string& floor) {
     std::string lights;
     for (int place = 0; place < 24; ++place)
       for (int i = 0; i < inEachPlace; ++i)
@@ -223,22 +223,27 @@ TEST_F(Illumination, ManyLightsAreTheSumOfAll) {
                               4 * std::cos(place), 1 + 0.2 * place, 4 * std::sin(place), 0.1 / inEachPlace);
     return buildScene(parseScene(
         R"({ "luxo": 1, "surfaces": { "ball": { "type": "sphere" }, "floor": { "type": "rectangle", "size": [6, 6] } },
-             "materials": { "m": { "diffuse": [0.6, 0.5, 0.4], "specular": 0.3, "shininess": 12 } },
+             "materials": { "m": { "diffuse": [0.6, 0.5, 0.4], "specular": 0.3, "shininess": 12 },
+                            "gouraud": { "diffuse": [0.6, 0.5, 0.4], "shading": "gouraud" },
+                            "toon": { "diffuse": [0.6, 0.5, 0.4], "shading": "toon" } },
              "camera": { "eye": [2, 4, 6], "look_at": [0, 0.5, 0], "fov_y": "45deg" },
-             "nodes": [ { "surface": "floor", "material": "m" },
-                        { "surface": "ball", "material": "m", "translate": [0, 1, 0] })" +
-            lights + " ] }",
+             "nodes": [ { "surface": "ball", "material": "m", "translate": [0, 1, 0] },
+                        { "surface": "floor", "material": ")" +
+            floor + "\" }" + lights + " ] }",
         "lights"));
   };
-  const Snapshot few = takeSnapshot(sceneOf(1), 0, {80, 60}), many = takeSnapshot(sceneOf(2), 0, {80, 60});
-  ASSERT_EQ(many.lights.size(), 48U);
-  const auto expectAlike = [&](const DrawOptions& options, double tolerance) {
+  const auto expectAlike = [&](const DrawOptions& options, double tolerance, const std::string& floor = "m") {
+    const Snapshot few = takeSnapshot(sceneOf(1, floor), 0, {80, 60}),
+                   many = takeSnapshot(sceneOf(2, floor), 0, {80, 60});
+    ASSERT_EQ(many.lights.size(), 48U);
     const Picture lit = renderer().render(many, options);
     EXPECT_GT(lit.statistics.count.deferred, 0U);
     EXPECT_LE(largestDifference(renderer().render(few, options).image, lit.image), tolerance)
-        << nameOf(options.shading) << " in " << options.samples;
+        << nameOf(options.shading) << " in " << options.samples << " over " << floor;
   };
   for (const int samples : {1, 4}) expectAlike({.samples = samples}, 2e-6);
+  // Beside what searches have found, whose depths are probed.
+  for (const char* floor : {"gouraud", "toon"}) expectAlike({}, 3e-4, floor);
   // Deferred light of a mesh is that of the ray's point, fused that of a corner's rounding beside it. Of many
   // samples that is another one in each of their pictures, and edges move with it: by less than a sample.
   for (const Shading shading : {Shading::Phong, Shading::Flat, Shading::Gouraud, Shading::Toon}) {

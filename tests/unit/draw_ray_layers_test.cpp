@@ -100,7 +100,7 @@ TEST(LayerRays, TellWhichLightReachesThem) {
     const RayPoints found = ball.points();
     EXPECT_EQ(found.layerPoints.size(), 2U);
     EXPECT_EQ(found.layerLights.size(), 2U) << "of each point, of one group";
-    return found.layerPoints.at(0).shadows;
+    return found.layerLights.at(0).shadows;
   };
   EXPECT_EQ(shadowsWithWallAt(10), 1U);
   EXPECT_EQ(shadowsWithWallAt(30), 0U);
