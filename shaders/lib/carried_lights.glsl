@@ -31,14 +31,12 @@ void carryLights() {
 }
 #else
 LightData lightAt(uint i) {
-  if (!kCarries) return lightSet.lights[i];
-  if (i >= kCarriedLights) return lightSet.lights[i];
+  if (!kCarries || i >= kCarriedLights) return lightSet.lights[i];
   return LightData(varyingLights[2 * i], varyingLights[2 * i + 1].xyz, uint(varyingLights[2 * i + 1].w));
 }
 
 ShadeData shadeAt(uint i) {
-  if (!kCarries) return lightSet.shades[i];
-  if (i >= kCarriedShades) return lightSet.shades[i];
+  if (!kCarries || i >= kCarriedShades) return lightSet.shades[i];
   return ShadeData(varyingShades[2 * i].xyz, varyingShades[2 * i].w, varyingShades[2 * i + 1].x, 1);  // the first
 }
 #endif

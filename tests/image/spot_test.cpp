@@ -338,7 +338,8 @@ TEST_F(SpotPicture, LightsThatReachNothingAreLeftOut) {
   EXPECT_EQ(all.statistics.count.deferred, 0U);
   const Picture kept = draw(scene(40), kSpotSize, keeps);
   EXPECT_EQ(kept.statistics.count.deferred, 1U) << "for all of them no set has room";
-  EXPECT_LE(largestDifference(all.image, kept.image), 2e-6);
+  // What a found texel rounds, 2e-6 of light, a penumbra of a tenth of a radian has tenfold.
+  EXPECT_LE(largestDifference(all.image, kept.image), 2e-5);
   EXPECT_TRUE(sameBytes(draw(scene(30), kSpotSize, options).image, draw(scene(30), kSpotSize, keeps).image));
 }
 
