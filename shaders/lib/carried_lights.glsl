@@ -30,13 +30,20 @@ void carryLights() {
   }
 }
 #else
+// Where kCarries is false no varying is read: an `if` of its own, which compilers take out with all that it holds.
 LightData lightAt(uint i) {
-  if (!kCarries || i >= kCarriedLights) return lightSet.lights[i];
-  return LightData(varyingLights[2 * i], varyingLights[2 * i + 1].xyz, uint(varyingLights[2 * i + 1].w));
+  if (kCarries) {
+    if (i < kCarriedLights)
+      return LightData(varyingLights[2 * i], varyingLights[2 * i + 1].xyz, uint(varyingLights[2 * i + 1].w));
+  }
+  return lightSet.lights[i];
 }
 
 ShadeData shadeAt(uint i) {
-  if (!kCarries || i >= kCarriedShades) return lightSet.shades[i];
-  return ShadeData(varyingShades[2 * i].xyz, varyingShades[2 * i].w, varyingShades[2 * i + 1].x, 1);  // the first
+  if (kCarries) {
+    if (i < kCarriedShades)
+      return ShadeData(varyingShades[2 * i].xyz, varyingShades[2 * i].w, varyingShades[2 * i + 1].x, 1);  // the first
+  }
+  return lightSet.shades[i];
 }
 #endif
