@@ -106,12 +106,10 @@ void requireScreen(const AmbientOcclusion& occlusion, bool possible) {
     throw Error(ErrorKind::Scene, "ambient occlusion by rays is what the reference casts",
                 "render with --engine reference, or set render.ambient_occlusion's method to \"screen\"");
   if (!possible)
-    throw Error(
-        ErrorKind::Scene,
-        fmt::format("ambient occlusion in a scene of more than {} nodes and materials is not supported "
-                    "yet",
-                    shared::kMaxFoundMaterials - 1),
-        "leave render.ambient_occlusion, or some nodes, out");
+    throw Error(ErrorKind::Scene,
+                fmt::format("ambient occlusion among more than {} nodes and materials is not supported yet",
+                            shared::kMaxFoundMaterials - 1),
+                "leave render.ambient_occlusion, or some nodes, out");
 }
 
 }  // namespace
@@ -135,13 +133,10 @@ MaterialList::MaterialList(const Snapshot& snapshot, const VisibleList& visible,
   const bool occludes = occludesAmbient(snapshot, options), traces = tracesRays(snapshot, options);
   if (occludes) requireScreen(snapshot.ambientOcclusion, possible);
   if (traces && !possible)
-    throw Error(
-        ErrorKind::Scene,
-        fmt::format(
-            "rays that shaders send, in a scene of more than {} nodes and materials, are not supported "
-            "yet",
-            shared::kMaxFoundMaterials - 1),
-        "leave out some nodes, or take the shader's material without trace()");
+    throw Error(ErrorKind::Scene,
+                fmt::format("rays of shaders among more than {} nodes and materials are not supported yet",
+                            shared::kMaxFoundMaterials - 1),
+                "leave out some nodes, or take the shader's material without trace()");
   crowded_ = std::ranges::any_of(visible.opaque, [&](const VisibleNode& node) {
     const Material& material = materials[snapshot.nodes[node.node].material.index];
     return node.lightCount > shared::kMaxLights && material.shadingIn(options.shading) != Shading::Wireframe;
