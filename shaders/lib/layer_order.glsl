@@ -81,10 +81,11 @@ bool isInPicture() { return all(lessThan(ivec2(gl_FragCoord.xy), textureSize(opa
 
 // Begins with the first of the list; 0: there is none. In the picture only.
 uint firstLayer() {
-  layerSums[layerPixel()] = vec2(0);
   uint head = layerHeads[layerPixel()];
-  if (head != 0) head = sorted(head);
-  layerHeads[layerPixel()] = head;
+  if (head != 0 && layerPoints[head].next != 0) {
+    head = sorted(head);
+    layerHeads[layerPixel()] = head;
+  }
   opaqueLayer = layerDepth(texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).x, pixelPlace(), pixelRay());
   lastLayer.depth = -3e38;  // there is none
   lastLayer.off = 0.0;
