@@ -130,12 +130,16 @@ void CertifiedRays::begin(const Snapshot& snapshot, const DrawOptions& options,
   caster_.emplace(snapshot, shapes_, reference::Cells::WhereRaysGo, Shading::Exact,
                   showsGeometry(options.output) ? std::optional(options.shading) : std::nullopt);
   layers_.clear();
+  exactLight_ = options.output == Output::Color && options.shading == Shading::Exact &&
+                options.shadows == ShadowKinds::All && !occludesAmbient(snapshot, options) &&
+                std::ranges::none_of(snapshot.lights, &SnapshotLight::approximate);
   for (std::uint32_t i = 0; i < snapshot.nodes.size(); ++i) {
     const bool surface = findsSurface(snapshot, snapshot.nodes[i], options),
                layers = findsLayers(snapshot, snapshot.nodes[i], options);
     if (surface) nodes_.push_back(i);
     if (layers) layers_.push_back(i);
     const Material& material = snapshot.materials[snapshot.nodes[i].material.index];
+    exactLight_ &= surface || layers || material.invisible();
     if (!material.invisible() && !seenThrough(snapshot, snapshot.nodes[i], options)) receivers_.push_back(i);
     if (surface && snapshot.nodes[i].surface.isPolygonal()) mostRoundingPx_ = kMaxTrianglesPx;
     if (surface || layers) rounding_ = std::max(rounding_, depthRounding(snapshot.view, snapshot.nodes[i]));
@@ -392,6 +396,8 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const RayDr
       const double count = probes[i].layers.x, depths = probes[i].layers.y + count * originDepth;
       judged[i] = reference::judgeLayers(*caster_, layers_, at, {count, depths}, rounding());
     }
+    if (judged[i] == Right && exactLight_)
+      judged[i] = reference::judgeColor(*caster_, at, Vec3(probes[i].color));
   });
   AuditResult result;
   for (const reference::Judgement judgement : judged) {

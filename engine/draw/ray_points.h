@@ -123,6 +123,7 @@ struct DepthProbe {
   std::vector<std::uint32_t> shadows = {};  ///< the lights of each group that do not reach it, a bit each
   std::vector<Vec3f> transmittances = {};   ///< of those that transmit
   Vec2f layers{0};  ///< how many points are seen through there, and the sum of their depths
+  Vec3f color{0};   ///< scene-linear
 };
 
 struct AuditResult {
@@ -159,7 +160,7 @@ class CertifiedRays {
   [[nodiscard]] RayPoints resolve(std::span<const Doubt> doubts, const RayDraws& draws,
                                   const ShownMeshes& shown);
   /// Shadows are looked at where no mesh stands before what is found, but not of lights whose shadows are
-  /// approximations.
+  /// approximations; colours where all of the picture is exact.
   [[nodiscard]] AuditResult audit(std::span<const DepthProbe> probes, const RayDraws& draws,
                                   const ShownMeshes& shown);
 
@@ -199,6 +200,7 @@ class CertifiedRays {
   std::vector<std::uint32_t> layers_;     ///< whose layers are found, ascending
   std::vector<std::uint32_t> receivers_;  ///< what is not seen through, ascending
   std::vector<std::uint32_t> all_;        ///< ascending
+  bool exactLight_ = false;               ///< and points: no mesh, no approximate shadow, all light
   double rounding_ = 0;                   ///< of depths, for the size of what is found; metres
   double mostRoundingPx_ = 0;             ///< and the most that it is where a point is certified
   double treesMs_ = 0;

@@ -155,6 +155,7 @@ void ScenePainter::recordPasses(gpu::FrameRing& frames, VkCommandBuffer commands
     recorder.record(pass);
   }
   frames.mark(gpu::FrameRing::kUnmarked);
+  if (frame.probes) view.feedback().recordColorProbes(commands, view.picture());
   if (view.list().traces) gpu::use(commands, {{view.traces().questions(), gpu::Use::HostRead}});
   if (view.list().runsShaders) gpu::use(commands, {{view.faults(), gpu::Use::HostRead}});
   if (view.list().layers.any()) gpu::use(commands, {{view.layerLists().sums(), gpu::Use::HostRead}});

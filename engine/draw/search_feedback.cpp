@@ -2,7 +2,9 @@
 #include "draw/search_feedback.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <utility>
 
 #include "draw/measured_pixels.h"
@@ -94,7 +96,24 @@ void makeRoom(gpu::Context& context, gpu::Buffer& buffer, VkDeviceSize bytes, co
     buffer = gpu::Buffer(context, {.size = bytes, .memory = gpu::MemoryUse::Readback, .name = name});
 }
 
-/// Of a texel of four floats, of 32 or 16 bits each.
+/// Of a texel: four floats, of 32 or 16 bits each.
+VkDeviceSize bytesOfColor(const gpu::Texture& picture) {
+  return kColorWords *
+         (picture.format() == VK_FORMAT_R32G32B32A32_SFLOAT ? sizeof(float) : sizeof(std::uint16_t));
+}
+
+Vec3f colorOf(std::span<const std::byte> texel) {
+  Vec3f color;
+  if (texel.size() == kColorWords * sizeof(float)) {
+    std::memcpy(&color, texel.data(), sizeof color);
+    return color;
+  }
+  std::array<std::uint16_t, 3> halves{};
+  std::memcpy(halves.data(), texel.data(), sizeof halves);
+  for (int c = 0; c < 3; ++c) color[c] = glm::unpackHalf1x16(halves[static_cast<std::size_t>(c)]);
+  return color;
+}
+
 bool hasNegativeAlpha(std::span<const std::byte> texel) {
   if (texel.size() == kColorWords * sizeof(float)) return alphaAt(texel.data(), 0) < 0;
   std::uint16_t half = 0;
@@ -167,6 +186,14 @@ void SearchFeedback::recordTransmittanceProbes(VkCommandBuffer commands, gpu::Te
                kColorWords * sizeof(float), group * kColorWords * probeBytes(slot));
 }
 
+void SearchFeedback::recordColorProbes(VkCommandBuffer commands, gpu::Texture& picture) {
+  Slot& slot = slots_[current_];
+  slot.colorBytes = bytesOfColor(picture);
+  makeRoom(*context_, slot.colors, slot.colorBytes * copiedTexels(slot.probed.size(), extent_),
+           "color probes");
+  recordProbes(commands, picture, VK_IMAGE_ASPECT_COLOR_BIT, slot.colors, slot.colorBytes, 0);
+}
+
 void SearchFeedback::recordProbes(VkCommandBuffer commands, gpu::Texture& texture, VkImageAspectFlags aspect,
                                   gpu::Buffer& values, VkDeviceSize texelBytes, VkDeviceSize offset) {
   copyTexels(commands, texture, aspect, slots_[current_].probed, values, texelBytes, offset);
@@ -179,7 +206,7 @@ void SearchFeedback::recordShown(VkCommandBuffer commands, gpu::Texture& depth, 
     makeRoom(*context_, values, texelBytes * copiedTexels(pixels.size(), extent_), name);
     copyTexels(commands, texture, aspect, pixels, values, texelBytes, 0);
   };
-  shownColorBytes_ = kColorWords * (picture.format() == VK_FORMAT_R32G32B32A32_SFLOAT ? 4 : 2);
+  shownColorBytes_ = bytesOfColor(picture);
   copy(depth, VK_IMAGE_ASPECT_DEPTH_BIT, shownDepths_, sizeof(float), "shown depths");
   copy(picture, VK_IMAGE_ASPECT_COLOR_BIT, shownColors_, shownColorBytes_, "shown colors");
 }
@@ -222,7 +249,8 @@ std::vector<OpenPixel> SearchFeedback::open(std::span<const PixelRect> byRays,
   std::vector<OpenPixel> found;
   for (std::size_t word = 0; word < words.size(); ++word)
     for (std::uint32_t bits = words[word], k = 0; bits != 0; bits >>= shared::kDoubtBits, ++k) {
-      constexpr std::uint32_t kAny = shared::kPointOpenHere | shared::kShadowOpenHere | shared::kLayersOpenHere;
+      constexpr std::uint32_t kAny =
+          shared::kPointOpenHere | shared::kShadowOpenHere | shared::kLayersOpenHere;
       if ((bits & kAny) == 0) continue;
       const auto pixel = static_cast<std::int32_t>(word * shared::kDoubtsPerWord + k);
       found.push_back({{pixel % width, pixel / width},
@@ -246,7 +274,8 @@ std::vector<DepthProbe> SearchFeedback::depths() {
   if (slot.probed.empty()) return probes;
   const std::span<const std::byte> depths = slot.depths.read(),
                                    shadows = slot.shadowGroups > 0 ? slot.shadows.read() : depths,
-                                   transmittances = slot.transmittances ? slot.transmittances.read() : depths;
+                                   transmittances = slot.transmittances ? slot.transmittances.read() : depths,
+                                   colors = slot.colors.read();
   for (std::size_t i = 0; i < slot.probed.size(); ++i) {
     const std::size_t place = copiedTexel(slot.probed, i, extent_);
     DepthProbe probe{.pixel = slot.probed[i]};
@@ -259,6 +288,7 @@ std::vector<DepthProbe> SearchFeedback::depths() {
       if (slot.transmits[g])
         std::memcpy(&probe.transmittances[g], transmittances.data() + kColorWords * at, sizeof(Vec3f));
     }
+    probe.color = colorOf(colors.subspan(slot.colorBytes * place, slot.colorBytes));
     probes.push_back(probe);
   }
   return probes;

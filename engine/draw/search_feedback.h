@@ -53,6 +53,8 @@ class SearchFeedback {
   /// And the shadows there, of a group of lights that has some; and of one that transmits how much.
   void recordShadowProbes(VkCommandBuffer commands, gpu::Texture& shadows, std::size_t group);
   void recordTransmittanceProbes(VkCommandBuffer commands, gpu::Texture& transmittance, std::size_t group);
+  /// And their colours, at the recording's end.
+  void recordColorProbes(VkCommandBuffer commands, gpu::Texture& picture);
   /// Copies what pixels show of a recording that is complete; the picture's alphas are certificates
   /// (shaders/lib/exact_fragment.glsl).
   void recordShown(VkCommandBuffer commands, gpu::Texture& depth, gpu::Texture& picture,
@@ -77,6 +79,8 @@ class SearchFeedback {
     gpu::Buffer shown;                    ///< shared::ShownPoint of each pixel
     gpu::Buffer depths;                   ///< of the probed pixels, or of all where they are many
     gpu::Buffer shadows, transmittances;  ///< and by group of lights
+    gpu::Buffer colors;                   ///< of the probed pixels, or of all
+    VkDeviceSize colorBytes = 0;          ///< of a pixel
     std::vector<PixelPlace> probed;
     bool searches = false;  ///< for surfaces, shadows or layers
     std::size_t shadowGroups = 0;

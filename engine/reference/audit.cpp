@@ -16,6 +16,21 @@ namespace {
 /// patterns of theirs; a tenth of the least that 8 bits show.
 constexpr double kTransmittanceRounding = 4e-4;
 
+/// Linear: what 8 bits show of a colour.
+constexpr double kOtherColor = 1.0 / 255;
+/// What floats leave of a normal, some 2^-20, moves a highlight of a larger exponent by a quarter of that.
+constexpr double kMostShininess = 1024;
+
+/// Whether its colour is the same function of the point in the picture and in the truth, whatever rounding
+/// makes of the point.
+bool isPlain(const Material& material) {
+  const bool mapped = material.map.valid() || material.normalMap.valid() || material.specularMap.valid() ||
+                      material.glowMap.valid();
+  return material.shadingIn(Shading::Exact) == Shading::Exact && !material.shader && !material.lesson &&
+         !material.diffusePattern.valid() && !material.isolines.valid() && !mapped &&
+         material.shininess <= kMostShininess;
+}
+
 /// What the truth shows at a point of the picture plane.
 struct Shown {
   double depth = std::numeric_limits<double>::infinity();
@@ -94,6 +109,33 @@ Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes
         return agrees(truthAt(at, ignored));
       },
       pixel, 2 * kSilhouettePx);
+  return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
+}
+
+Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown) {
+  const Snapshot& snapshot = caster.snapshot();
+  const Vec3 allowed = kOtherColor * glm::max(Vec3(1), glm::abs(shown));
+  bool certified = true;
+  const auto agrees = [&](const Vec2& at) {
+    const Ray ray = caster.rayThrough(at.x, at.y);
+    const Caster::Sight sight = caster.look(ray);
+    certified &= sight.certified && std::ranges::all_of(sight.hits, [&](const Hit& hit) {
+                   return isPlain(snapshot.materials[snapshot.nodes[hit.node].material.index]);
+                 });
+    if (!certified) return true;
+    // A light in a surface's own plane is on either side of it.
+    Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
+    for (const double tilt : {-kCosineRounding, kCosineRounding}) {
+      const Vec3 color = caster.color(ray, sight, certified, tilt);
+      least = glm::min(least, color);
+      most = glm::max(most, color);
+    }
+    return glm::all(glm::lessThanEqual(least - allowed, shown)) &&
+           glm::all(glm::lessThanEqual(shown, most + allowed));
+  };
+  const bool right = agrees(pixel);
+  if (right || !certified) return Judgement::Right;
+  const double distance = distanceTo(agrees, pixel, 2 * kSilhouettePx);
   return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a pixel shows what its ray sees: hit or miss, the layer, the point, told by the depth it shows.
+// Whether a pixel shows what its ray sees: hit or miss, the layer, the point, told by the depth it shows; and
+// whether in the right light.
 //
 // A pixel is right where the truth shows that depth within kPointPx of its centre, and where an outline (a
 // border, a fold, another layer, another node) passes within kSilhouettePx: there it may be on either side
@@ -31,6 +32,13 @@ enum class Judgement {
 /// shadow passes within kSilhouettePx. Cost: two rays; some hundred where they disagree.
 [[nodiscard]] Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes,
                                     const Vec2& pixel, std::uint32_t light, const Vec3& reaching);
+
+/// Whether a pixel whose points are right has the truth's colour, to 1/255 (of what is brighter than 1, of
+/// it). Right, too, where a colour like that is within kSilhouettePx: a border of a shadow, an outline; and
+/// where the truth does not know it that well, or does not decide it: of drawings, of what is not exact, of
+/// patterns, maps, shaders, and of highlights so small that single precision moves them. `shown`:
+/// scene-linear. Cost: as judge(), and a ray to each light that has a shadow.
+[[nodiscard]] Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown);
 
 /// What a pixel shows of what is seen through: how many points, and the sum of their depths.
 struct LayerSums {

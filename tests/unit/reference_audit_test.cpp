@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an audit says of depths that are right, of another layer, off by a little, or beside an outline.
+// What an audit says of depths that are right, of another layer, off by a little, or beside an outline; and
+// of colours.
 #include "reference/audit.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/pattern.h"
 #include "scene/scene.h"
 #include "scene/snapshot.h"
 #include "surface/library.h"
@@ -68,6 +70,67 @@ TEST(Audit, APointMayBeAThousandthOfAPixelOff) {
   EXPECT_EQ(judge(caster, kNodes, pixel, depth + 1.3e-3 * perPixel, kRounding), Judgement::Wrong);
   EXPECT_EQ(judge(caster, kNodes, pixel, depth + 5e-3 * perPixel, kRounding), Judgement::Wrong);
   EXPECT_EQ(judge(caster, kNodes, pixel, depth + 5e-3 * perPixel, 1e-3), Judgement::Right) << "rounding";
+}
+
+/// A floor that fills the picture, in it the shadow of a ball around pixel (30, 50), left of the ball itself.
+Snapshot shadowOfBall(bool withBall, const Material& floor = {.diffuse = Vec3(0.8)}) {
+  Scene scene;
+  scene.set(RenderSettings{.ambient = Vec3(0.1)});
+  const MaterialId material = scene.add(floor);
+  scene.add(Node{.rotation = Rotation{{1, 0, 0}, kPi / 2}, .surface = rectangle(2, 2), .material = material});
+  if (withBall) scene.add(Node{.translation = Vec3(0, 0, 0.3), .surface = sphere(0.1)});
+  scene.add(Node{.translation = Vec3(0.6, 0, 1.2), .light = Light{.shadow = Light::Shadow::Exact}});
+  scene.add(Camera{.eye = Vec3(0, 0, 10), .projection = Projection::Orthographic, .height = 1});
+  return takeSnapshot(scene, 0, {100, 100});
+}
+
+Vec3 colorIn(const Caster& caster, const Vec2& pixel) {
+  const Ray ray = caster.rayThrough(pixel.x, pixel.y);
+  bool certified = true;
+  const Vec3 color = caster.color(ray, caster.look(ray), certified);
+  EXPECT_TRUE(certified);
+  return color;
+}
+
+TEST(Audit, SeesLightThatIsNotThereAndShadowsThatAreNot) {
+  const Snapshot snapshot = shadowOfBall(true), bare = shadowOfBall(false);
+  const Caster caster(snapshot), unshadowed(bare);
+  const Vec2 inShadow(30.5, 50.5), lit(85.5, 50.5);
+  const Vec3 light = colorIn(caster, lit), dark = colorIn(caster, inShadow);
+  ASSERT_GT(light.x, 2 * dark.x);
+  EXPECT_EQ(judgeColor(caster, lit, light), Judgement::Right);
+  EXPECT_EQ(judgeColor(caster, inShadow, dark), Judgement::Right);
+  EXPECT_EQ(judgeColor(caster, inShadow, colorIn(unshadowed, inShadow)), Judgement::Wrong);
+  EXPECT_EQ(judgeColor(caster, lit, dark), Judgement::Wrong);
+  // What 8 bits show counts, in any channel.
+  EXPECT_EQ(judgeColor(caster, lit, light + Vec3(0, 0, 0.5 / 255)), Judgement::Right);
+  EXPECT_EQ(judgeColor(caster, lit, light + Vec3(0, 0, 1.5 / 255)), Judgement::Wrong);
+}
+
+TEST(Audit, BesideAShadowsBorderEitherColorIsRight) {
+  const Snapshot snapshot = shadowOfBall(true), bare = shadowOfBall(false);
+  const Caster caster(snapshot), unshadowed(bare);
+  const auto isLit = [&](double x) {
+    return colorIn(caster, {x, 50}).x > 0.5 * colorIn(unshadowed, {x, 50}).x;
+  };
+  double dark = 30, light = 10;
+  ASSERT_TRUE(isLit(light) && !isLit(dark));
+  while (dark - light > 1e-9) (isLit(0.5 * (dark + light)) ? light : dark) = 0.5 * (dark + light);
+  const auto judgedAsLit = [&](double x) {
+    return judgeColor(caster, {x, 50}, colorIn(unshadowed, {x, 50}));
+  };
+  EXPECT_EQ(judgedAsLit(dark + 0.005), Judgement::Right);
+  EXPECT_EQ(judgedAsLit(dark + 0.02), Judgement::Wrong);
+}
+
+TEST(Audit, KnowsNoColorsThatRoundingMoves) {
+  const Vec2 pixel(85.5, 50.5);
+  const Material patterned{.diffusePattern = pattern([](auto u, auto v) { return point(u, v, u); })},
+      glossy{.diffuse = Vec3(0.8), .shininess = 1e5};
+  for (const Material& material : {patterned, glossy}) {
+    const Snapshot snapshot = shadowOfBall(true, material);
+    EXPECT_EQ(judgeColor(Caster(snapshot), pixel, Vec3(7)), Judgement::Right);
+  }
 }
 
 }  // namespace
