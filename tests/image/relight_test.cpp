@@ -142,6 +142,11 @@ std::vector<Edit> others() {
 
 class Relighting : public PictureTest {
  protected:
+  void TearDown() override {
+    fresh_.reset();
+    PictureTest::TearDown();
+  }
+
   /// By a renderer whose last picture is another one: all that it has of this one is pipelines, which take
   /// longer than the picture.
   Picture anew(const Room& room) {
