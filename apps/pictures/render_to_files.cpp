@@ -299,8 +299,7 @@ class Run {
                             nodes == 1 ? "a formula is" : fmt::format("the formulas of {} nodes are", nodes),
                             nodes == 1 ? "its" : "their"));
     if (error.unconvergedPx > 0)
-      printNote(
-          fmt::format("{} pixels are lost: their point of the surface was not found", error.unconvergedPx));
+      printNote(unconvergedText(error.unconvergedPx));
   }
 
   [[nodiscard]] static std::string qualityOf(const FrameReport& frame) {

@@ -21,6 +21,11 @@ std::string shown(double value, double other) {
 
 }  // namespace
 
+std::string unconvergedText(std::uint64_t pixels) {
+  return fmt::format("{} pixels are wrong: no attempt found their point of the surface, or their light",
+                     pixels);
+}
+
 std::optional<RequirementMiss> requirementMiss(const FrameReport& frame, double mostPx) {
   const FrameError& error = frame.statistics.error;
   if (frame.reference) {
@@ -40,9 +45,8 @@ std::optional<RequirementMiss> requirementMiss(const FrameReport& frame, double 
                     shown(*error.residualMaxPx, mostPx), shown(mostPx, *error.residualMaxPx)),
         "single precision allows no less here; --engine reference casts rays in double"};
   if (error.unconvergedPx > 0)
-    return RequirementMiss{
-        fmt::format("{} pixels are lost: their point of the surface was not found", error.unconvergedPx),
-        "move the camera a little, or cast rays: --engine reference"};
+    return RequirementMiss{unconvergedText(error.unconvergedPx),
+                           "move the camera a little, or cast rays: --engine reference"};
   return std::nullopt;
 }
 

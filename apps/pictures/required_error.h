@@ -2,6 +2,7 @@
 // `--require-error`: whether what a frame says of its error is enough.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,9 @@ namespace luxo {
 struct RequirementMiss {
   std::string what, hint;
 };
+
+/// That so many pixels are not converged.
+[[nodiscard]] std::string unconvergedText(std::uint64_t pixels);
 
 /// What of the frame is farther than `mostPx` pixels from its surface, or not known to be nearer: meshes by
 /// their proven bound; pixels of exact shading by their largest residual, and there is none too many of those

@@ -58,7 +58,7 @@ struct FrameError {
   bool found = false;  ///< points of some node are found in its pixels: what follows applies
   /// Shadows are found in its pixels, of meshes, too: the first four of what follows apply.
   bool shadowed = false;
-  /// Of all samples: pixels whose point was not found although no miss was certain, or was found by an audit
+  /// Of all samples: pixels whose point was not found although no miss was certain, or which an audit found
   /// to be wrong, after all trials; and pixels that show a point which is not proven, neither by the
   /// search that found it nor by a ray.
   std::uint64_t unconvergedPx = 0, uncertifiedPx = 0;
