@@ -81,6 +81,7 @@ bool isInPicture() { return all(lessThan(ivec2(gl_FragCoord.xy), textureSize(opa
 
 // Begins with the first of the list; 0: there is none. In the picture only.
 uint firstLayer() {
+  layerSums[layerPixel()] = vec2(0);  // rays may have emptied the list
   uint head = layerHeads[layerPixel()];
   if (head != 0 && layerPoints[head].next != 0) {
     head = sorted(head);
