@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 #include <utility>
 
 #include "draw/measured_pixels.h"
 #include "gpu/barrier.h"
+#include "image/half.h"
 
 namespace luxo {
 namespace {
@@ -110,7 +110,7 @@ Vec3f colorOf(std::span<const std::byte> texel) {
   }
   std::array<std::uint16_t, 3> halves{};
   std::memcpy(halves.data(), texel.data(), sizeof halves);
-  for (int c = 0; c < 3; ++c) color[c] = glm::unpackHalf1x16(halves[static_cast<std::size_t>(c)]);
+  for (int c = 0; c < 3; ++c) color[c] = floatFromHalf(halves[static_cast<std::size_t>(c)]);
   return color;
 }
 
