@@ -396,8 +396,8 @@ AuditResult CertifiedRays::audit(std::span<const DepthProbe> probes, const RayDr
       const double count = probes[i].layers.x, depths = probes[i].layers.y + count * originDepth;
       judged[i] = reference::judgeLayers(*caster_, layers_, at, {count, depths}, rounding());
     }
-    if (judged[i] == Right && exactLight_)
-      judged[i] = reference::judgeColor(*caster_, at, Vec3(probes[i].color));
+    if (judged[i] == Right && exactLight_ && probes[i].color)
+      judged[i] = reference::judgeColor(*caster_, at, Vec3(*probes[i].color), rounding());
   });
   AuditResult result;
   for (const reference::Judgement judgement : judged) {

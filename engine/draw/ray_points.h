@@ -122,8 +122,8 @@ struct DepthProbe {
   float depth = 0;
   std::vector<std::uint32_t> shadows = {};  ///< the lights of each group that do not reach it, a bit each
   std::vector<Vec3f> transmittances = {};   ///< of those that transmit
-  Vec2f layers{0};  ///< how many points are seen through there, and the sum of their depths
-  Vec3f color{0};   ///< scene-linear
+  Vec2f layers{0};                  ///< how many points are seen through there, and the sum of their depths
+  std::optional<Vec3f> color = {};  ///< scene-linear; nothing of one that is not known to 1/255
 };
 
 struct AuditResult {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "draw/measured_pixels.h"
@@ -102,15 +103,19 @@ VkDeviceSize bytesOfColor(const gpu::Texture& picture) {
          (picture.format() == VK_FORMAT_R32G32B32A32_SFLOAT ? sizeof(float) : sizeof(std::uint16_t));
 }
 
-Vec3f colorOf(std::span<const std::byte> texel) {
+/// Nothing where half floats have added up many lights, each time losing a little, and of what is no number.
+std::optional<Vec3f> knownColor(std::span<const std::byte> texel, std::size_t lightGroups) {
   Vec3f color;
   if (texel.size() == kColorWords * sizeof(float)) {
     std::memcpy(&color, texel.data(), sizeof color);
-    return color;
+  } else if (lightGroups > 1) {
+    return std::nullopt;
+  } else {
+    std::array<std::uint16_t, 3> halves{};
+    std::memcpy(halves.data(), texel.data(), sizeof halves);
+    for (int c = 0; c < 3; ++c) color[c] = floatFromHalf(halves[static_cast<std::size_t>(c)]);
   }
-  std::array<std::uint16_t, 3> halves{};
-  std::memcpy(halves.data(), texel.data(), sizeof halves);
-  for (int c = 0; c < 3; ++c) color[c] = floatFromHalf(halves[static_cast<std::size_t>(c)]);
+  if (!isFinite(Vec3(color))) return std::nullopt;
   return color;
 }
 
@@ -132,6 +137,7 @@ void SearchFeedback::begin(const DrawList& list, VkExtent2D extent, std::vector<
   slot.submission = timeline.submitted() + 1;
   slot.searches = list.searches();
   slot.shadowGroups = list.findsShadows() ? list.groups.size() : 0;
+  slot.lightGroups = list.groups.size();
   slot.transmits.clear();
   for (const LightGroup& group : list.groups) slot.transmits.push_back(group.transmits);
   extent_ = extent;
@@ -288,7 +294,7 @@ std::vector<DepthProbe> SearchFeedback::depths() {
       if (slot.transmits[g])
         std::memcpy(&probe.transmittances[g], transmittances.data() + kColorWords * at, sizeof(Vec3f));
     }
-    probe.color = colorOf(colors.subspan(slot.colorBytes * place, slot.colorBytes));
+    probe.color = knownColor(colors.subspan(slot.colorBytes * place, slot.colorBytes), slot.lightGroups);
     probes.push_back(probe);
   }
   return probes;

@@ -81,6 +81,7 @@ class SearchFeedback {
     gpu::Buffer shadows, transmittances;  ///< and by group of lights
     gpu::Buffer colors;                   ///< of the probed pixels, or of all
     VkDeviceSize colorBytes = 0;          ///< of a pixel
+    std::size_t lightGroups = 0;          ///< so many are added up
     std::vector<PixelPlace> probed;
     bool searches = false;  ///< for surfaces, shadows or layers
     std::size_t shadowGroups = 0;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "reference/silhouette.h"
 #include "reference/verification.h"
@@ -37,6 +39,30 @@ struct Shown {
   double perPixel = 0;  ///< how much the depth of the tangent plane changes over a pixel, at most
   bool certified = true;
 };
+
+/// Whether some of the surfaces that a pixel sees are as near to each other as depths are known, or flattened
+/// so that their own sides are.
+bool touchesAnother(const Caster& caster, const Vec2& pixel, double rounding) {
+  const Snapshot& snapshot = caster.snapshot();
+  const View& view = snapshot.view;
+  const Ray ray = caster.rayThrough(pixel.x, pixel.y);
+  const std::vector<Hit> hits = caster.look(ray).hits;
+  const double cosine = glm::dot(ray.direction, view.forward());
+  const auto slack = [&](const Hit& hit) {
+    const double metresPerPixel = (view.perspective() ? hit.t * cosine : 1) / view.pixelsPerUnit;
+    return (rounding + kPointPx * metresPerPixel) / cosine;
+  };
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (glm::determinant(snapshot.nodes[hits[i].node].worldFromObject.linear) == 0) return true;
+    if (i > 0 && hits[i].t - hits[i - 1].t <= slack(hits[i])) return true;
+  }
+  for (std::uint32_t node = 0; !hits.empty() && node < snapshot.nodes.size(); ++node) {
+    if (node == hits.back().node) continue;
+    const Caster::First other = caster.firstOf({&node, 1}, ray);
+    if (other.hit && std::abs(other.hit->t - hits.back().t) <= slack(hits.back())) return true;
+  }
+  return false;
+}
 
 class SampleJudge {
  public:
@@ -112,31 +138,41 @@ Judgement judgeShadow(const Caster& caster, std::span<const std::uint32_t> nodes
   return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
 }
 
-Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown) {
+Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown, double rounding) {
   const Snapshot& snapshot = caster.snapshot();
-  const Vec3 allowed = kOtherColor * glm::max(Vec3(1), glm::abs(shown));
-  bool certified = true;
-  const auto agrees = [&](const Vec2& at) {
+  Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
+  const auto allowed = [](const Vec3& color) { return kOtherColor * glm::max(Vec3(1), glm::abs(color)); };
+  const auto agrees = [&] {
+    return glm::all(glm::lessThanEqual(least - allowed(least), shown)) &&
+           glm::all(glm::lessThanEqual(shown, most + allowed(most)));
+  };
+  // Nothing is wrong there, or known.
+  const auto settles = [&](const Vec2& at, std::initializer_list<double> tilts) {
     const Ray ray = caster.rayThrough(at.x, at.y);
     const Caster::Sight sight = caster.look(ray);
-    certified &= sight.certified && std::ranges::all_of(sight.hits, [&](const Hit& hit) {
-                   return isPlain(snapshot.materials[snapshot.nodes[hit.node].material.index]);
-                 });
-    if (!certified) return true;
-    // A light in a surface's own plane is on either side of it.
-    Vec3 least(std::numeric_limits<double>::infinity()), most(-least);
-    for (const double tilt : {-kCosineRounding, kCosineRounding}) {
+    bool certified = sight.certified;
+    const bool known = std::ranges::all_of(sight.hits, [&](const Hit& hit) {
+      return isPlain(snapshot.materials[snapshot.nodes[hit.node].material.index]);
+    });
+    for (const double tilt : tilts) {
       const Vec3 color = caster.color(ray, sight, certified, tilt);
       least = glm::min(least, color);
       most = glm::max(most, color);
     }
-    return glm::all(glm::lessThanEqual(least - allowed, shown)) &&
-           glm::all(glm::lessThanEqual(shown, most + allowed));
+    return !known || !certified || agrees();
   };
-  const bool right = agrees(pixel);
-  if (right || !certified) return Judgement::Right;
-  const double distance = distanceTo(agrees, pixel, 2 * kSilhouettePx);
-  return distance > kSilhouettePx ? Judgement::Wrong : Judgement::Right;
+  // A light in a surface's own plane is on either side of it.
+  if (settles(pixel, {0}) || settles(pixel, {-kCosineRounding, kCosineRounding}) ||
+      touchesAnother(caster, pixel, rounding))
+    return Judgement::Right;
+  constexpr int kDirections = 16;  // the last ring as in LightJudge::findBorders()
+  for (const double radius : {0.1, 0.2, 0.4, 0.8, 1.02})
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = kTau * k / kDirections;
+      if (settles(pixel + radius * kSilhouettePx * Vec2(std::cos(angle), std::sin(angle)), {0}))
+        return Judgement::Right;
+    }
+  return Judgement::Wrong;
 }
 
 Judgement judgeLayers(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,

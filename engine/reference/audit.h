@@ -34,11 +34,13 @@ enum class Judgement {
                                     const Vec2& pixel, std::uint32_t light, const Vec3& reaching);
 
 /// Whether a pixel whose points are right has the truth's colour, to 1/255 (of what is brighter than 1, of
-/// it). Right, too, where a colour like that is within kSilhouettePx: a border of a shadow, an outline; and
-/// where the truth does not know it that well, or does not decide it: of drawings, of what is not exact, of
-/// patterns, maps, shaders, and of highlights so small that single precision moves them. `shown`:
-/// scene-linear. Cost: as judge(), and a ray to each light that has a shadow.
-[[nodiscard]] Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown);
+/// it). Right, too, between the colours that are within kSilhouettePx, of both sides of outlines and of
+/// shadows' borders; and where the truth does not know it that well, or does not decide it: of drawings and
+/// other shadings than exact, of patterns, maps, shaders, of highlights so small that single precision moves
+/// them, and of surfaces that touch, where either is seen. `shown`: scene-linear. `rounding`: of depths,
+/// metres. Cost: a ray, and one to each light that has a shadow; where they disagree some eighty times that.
+[[nodiscard]] Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown,
+                                   double rounding);
 
 /// What a pixel shows of what is seen through: how many points, and the sum of their depths.
 struct LayerSums {

@@ -294,7 +294,7 @@ Caster::Sight Caster::look(const Beam& beam, const Range& range, Invisible invis
   Sight sight;
   double opaque = range.farthest;
   for (std::uint32_t node = 0; node < bodies_.size(); ++node) {
-    if (beam.travelled && !mayMeet(beam.ray, node)) continue;
+    if (!mayMeet(beam.ray, node)) continue;
     meet(beam, node, {range.nearest, opaque}, invisible, sight);
     for (const Hit& hit : sight.hits)
       if (!bodies_[hit.node].transparent) opaque = std::min(opaque, hit.t);

@@ -14,6 +14,7 @@
 #include "scene/scene_reader.h"
 #include "support/meshes.h"
 #include "support/verified_picture.h"
+#include "surface/surface.h"
 
 namespace luxo::test {
 namespace {
@@ -488,6 +489,20 @@ TEST_F(LayersTest, ShadowsFallOnEveryLayer) {
   EXPECT_GT(found.statistics.count.shadowPasses, 0U);
   const Image without = draw(scene, kLayersSize, {.shadows = ShadowKinds::None}).image;
   EXPECT_FALSE(sameBytes(without, draw(scene, kLayersSize).image));
+}
+
+/// A plane without end is left to rays, which find it before glass that is listed by then.
+TEST_F(LayersTest, NoneIsLeftWhereRaysFindWhatIsBefore) {
+  Scene scene = sceneOf(node("torus", "glass") + ", " + node("ball", "red"));
+  const Surface wall =
+      surface([](auto u, auto v) { return point(u / (1 - u * u), v / (1 - v * v), 1.8 + 0 * u); },
+              {{-1, 1}, {-1, 1}});
+  scene.add(Node{.surface = wall, .material = scene.add(Material{.diffuse = Vec3(0.4)})});
+  const Picture picture =
+      renderer().render(takeSnapshot(scene, 0, {64, 48}), {.audit = {.extent = AuditExtent::All}});
+  EXPECT_GT(picture.statistics.error.resolvedByRaysPx, 1000U);
+  EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+  EXPECT_EQ(picture.statistics.error.unconvergedPx, 0U);
 }
 
 TEST_F(LayersTest, RoomGrowsUntilAllAreThere) {

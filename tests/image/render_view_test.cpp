@@ -102,6 +102,33 @@ TEST_F(RenderViewTest, ViewsOfOnePainterDoNotDisturbEachOther) {
   EXPECT_TRUE(same(ofRight, b));
 }
 
+/// And whoever reads them sees light that is wrong.
+TEST_F(RenderViewTest, ProbesTellTheColorsOfThePicture) {
+  const Snapshot snapshot = takeSnapshot(luxoGrandpa(), 21, kRenderViewSize);
+  for (const Precision precision : {Precision::Full, Precision::Half})
+    for (const AuditExtent extent : {AuditExtent::Usual, AuditExtent::All}) {
+      const DrawOptions options{.audit = {.extent = extent}};
+      gpu::FrameRing frames(context());
+      ScenePainter painter(context());
+      RenderView view(context(), precision);
+      const VkCommandBuffer commands = frames.begin();
+      FrameStatistics statistics;
+      painter.record(frames, commands, view, snapshot, options, statistics);
+      frames.wait(frames.submit());
+      std::vector<DepthProbe> probes = view.probes();
+      ASSERT_GE(probes.size(), 64U);
+      CertifiedRays rays;
+      rays.begin(snapshot, options);
+      EXPECT_EQ(rays.audit(probes, RayDraws(view.list()), view.shown()).failed, 0U);
+      for (DepthProbe& probe : probes) {
+        ASSERT_TRUE(probe.color);
+        *probe.color += Vec3f(0, 0.01f, 0);
+      }
+      // But for outlines and borders of shadows.
+      EXPECT_GT(rays.audit(probes, RayDraws(view.list()), view.shown()).failed, probes.size() * 9 / 10);
+    }
+}
+
 Scene ballLitBy(const std::string& text, int lights = 1) {
   Scene scene;
   const MaterialShader shader{{{"ball.frag", text}}};

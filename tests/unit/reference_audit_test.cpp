@@ -97,14 +97,17 @@ TEST(Audit, SeesLightThatIsNotThereAndShadowsThatAreNot) {
   const Caster caster(snapshot), unshadowed(bare);
   const Vec2 inShadow(30.5, 50.5), lit(85.5, 50.5);
   const Vec3 light = colorIn(caster, lit), dark = colorIn(caster, inShadow);
+  const auto judged = [&](const Vec2& pixel, const Vec3& shown) {
+    return judgeColor(caster, pixel, shown, kRounding);
+  };
   ASSERT_GT(light.x, 2 * dark.x);
-  EXPECT_EQ(judgeColor(caster, lit, light), Judgement::Right);
-  EXPECT_EQ(judgeColor(caster, inShadow, dark), Judgement::Right);
-  EXPECT_EQ(judgeColor(caster, inShadow, colorIn(unshadowed, inShadow)), Judgement::Wrong);
-  EXPECT_EQ(judgeColor(caster, lit, dark), Judgement::Wrong);
+  EXPECT_EQ(judged(lit, light), Judgement::Right);
+  EXPECT_EQ(judged(inShadow, dark), Judgement::Right);
+  EXPECT_EQ(judged(inShadow, colorIn(unshadowed, inShadow)), Judgement::Wrong);
+  EXPECT_EQ(judged(lit, dark), Judgement::Wrong);
   // What 8 bits show counts, in any channel.
-  EXPECT_EQ(judgeColor(caster, lit, light + Vec3(0, 0, 0.5 / 255)), Judgement::Right);
-  EXPECT_EQ(judgeColor(caster, lit, light + Vec3(0, 0, 1.5 / 255)), Judgement::Wrong);
+  EXPECT_EQ(judged(lit, light + Vec3(0, 0, 0.5 / 255)), Judgement::Right);
+  EXPECT_EQ(judged(lit, light + Vec3(0, 0, 1.5 / 255)), Judgement::Wrong);
 }
 
 TEST(Audit, BesideAShadowsBorderEitherColorIsRight) {
@@ -117,10 +120,29 @@ TEST(Audit, BesideAShadowsBorderEitherColorIsRight) {
   ASSERT_TRUE(isLit(light) && !isLit(dark));
   while (dark - light > 1e-9) (isLit(0.5 * (dark + light)) ? light : dark) = 0.5 * (dark + light);
   const auto judgedAsLit = [&](double x) {
-    return judgeColor(caster, {x, 50}, colorIn(unshadowed, {x, 50}));
+    return judgeColor(caster, {x, 50}, colorIn(unshadowed, {x, 50}), kRounding);
   };
   EXPECT_EQ(judgedAsLit(dark + 0.005), Judgement::Right);
   EXPECT_EQ(judgedAsLit(dark + 0.02), Judgement::Wrong);
+}
+
+// Which of two sheets in one place is seen nobody can tell; a little apart it is the nearer one.
+TEST(Audit, OfWhatTouchesEitherColorIsRight) {
+  for (const double apart : {0.0, 1e-3}) {
+    Scene scene;
+    scene.set(RenderSettings{.ambient = Vec3(1)});
+    for (const Vec3& color : {Vec3(0.8, 0.2, 0.2), Vec3(0.2, 0.2, 0.8)})
+      scene.add(Node{.translation = Vec3(0, 0, color.x < 0.5 ? apart : 0),
+                     .rotation = Rotation{{1, 0, 0}, kPi / 2},
+                     .surface = rectangle(2, 2),
+                     .material = scene.add(Material{.diffuse = color})});
+    scene.add(Camera{.eye = Vec3(0, 0, 10), .projection = Projection::Orthographic, .height = 1});
+    const Snapshot snapshot = takeSnapshot(scene, 0, {100, 100});
+    const Caster caster(snapshot);
+    EXPECT_EQ(judgeColor(caster, {50.5, 50.5}, Vec3(0.2, 0.2, 0.8), kRounding), Judgement::Right);
+    EXPECT_EQ(judgeColor(caster, {50.5, 50.5}, Vec3(0.8, 0.2, 0.2), kRounding),
+              apart == 0 ? Judgement::Right : Judgement::Wrong);
+  }
 }
 
 TEST(Audit, KnowsNoColorsThatRoundingMoves) {
@@ -129,7 +151,7 @@ TEST(Audit, KnowsNoColorsThatRoundingMoves) {
       glossy{.diffuse = Vec3(0.8), .shininess = 1e5};
   for (const Material& material : {patterned, glossy}) {
     const Snapshot snapshot = shadowOfBall(true, material);
-    EXPECT_EQ(judgeColor(Caster(snapshot), pixel, Vec3(7)), Judgement::Right);
+    EXPECT_EQ(judgeColor(Caster(snapshot), pixel, Vec3(7), kRounding), Judgement::Right);
   }
 }
 
