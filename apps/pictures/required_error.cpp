@@ -22,7 +22,7 @@ std::string shown(double value, double other) {
 }  // namespace
 
 std::string unconvergedText(std::uint64_t pixels) {
-  return fmt::format("{} pixels are wrong: no attempt found their point of the surface, or their light",
+  return fmt::format("{} pixels are lost: no attempt found their point of the surface, or their light",
                      pixels);
 }
 

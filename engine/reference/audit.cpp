@@ -40,6 +40,14 @@ struct Shown {
   bool certified = true;
 };
 
+/// Of the length of a matrix's columns, what rounding leaves of their determinant.
+constexpr double kFlattened = 1e-12;
+
+bool flattens(const Mat3& m) {
+  return std::abs(glm::determinant(m)) <=
+         kFlattened * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+}
+
 /// Whether some of the surfaces that a pixel sees are as near to each other as depths are known, or flattened
 /// so that their own sides are.
 bool touchesAnother(const Caster& caster, const Vec2& pixel, double rounding) {
@@ -53,7 +61,7 @@ bool touchesAnother(const Caster& caster, const Vec2& pixel, double rounding) {
     return (rounding + kPointPx * metresPerPixel) / cosine;
   };
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (glm::determinant(snapshot.nodes[hits[i].node].worldFromObject.linear) == 0) return true;
+    if (flattens(snapshot.nodes[hits[i].node].worldFromObject.linear)) return true;
     if (i > 0 && hits[i].t - hits[i - 1].t <= slack(hits[i])) return true;
   }
   for (std::uint32_t node = 0; !hits.empty() && node < snapshot.nodes.size(); ++node) {
@@ -165,14 +173,9 @@ Judgement judgeColor(const Caster& caster, const Vec2& pixel, const Vec3& shown,
   if (settles(pixel, {0}) || settles(pixel, {-kCosineRounding, kCosineRounding}) ||
       touchesAnother(caster, pixel, rounding))
     return Judgement::Right;
-  constexpr int kDirections = 16;  // the last ring as in LightJudge::findBorders()
-  for (const double radius : {0.1, 0.2, 0.4, 0.8, 1.02})
-    for (int k = 0; k < kDirections; ++k) {
-      const double angle = kTau * k / kDirections;
-      if (settles(pixel + radius * kSilhouettePx * Vec2(std::cos(angle), std::sin(angle)), {0}))
-        return Judgement::Right;
-    }
-  return Judgement::Wrong;
+  const std::vector<Vec2> places = placesAround(pixel, kSilhouettePx);
+  const bool right = std::ranges::any_of(places, [&](const Vec2& at) { return settles(at, {0}); });
+  return right ? Judgement::Right : Judgement::Wrong;
 }
 
 Judgement judgeLayers(const Caster& caster, std::span<const std::uint32_t> nodes, const Vec2& pixel,

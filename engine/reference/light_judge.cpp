@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "math/numbers.h"
+#include "reference/silhouette.h"
 
 namespace luxo::reference {
 namespace {
@@ -224,32 +225,18 @@ LightVerdict LightJudge::byLayers(std::uint32_t i) const {
 /// shows the layer of a pixel. All are looked for at the same places, so that the points of a soft light
 /// cost what their rays do.
 void LightJudge::findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights) const {
-  if (coarse_) return findBorders(i, center, lights, {1.0}, 4);
-  // 16 places around: the last ring is as much wider as a straight border that touches the circle passes
-  // beside them.
-  findBorders(i, center, lights, {0.1, 0.2, 0.4, 0.8, 1.02}, 16);
-}
-
-/// At so many places of rings, whose radii are in kSilhouettePx.
-void LightJudge::findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
-                             std::initializer_list<double> radii, int directions) const {
   auto left = std::ranges::count(lights, false, &Turned::atBorder);
-  double turn = 0;  // of every other ring by half a step
-  for (const double radius : radii) {
-    for (int k = 0; k < directions && left > 0; ++k) {
-      const double angle = kTau * (k + turn) / directions;
-      const Vec2 at = center + radius * kSilhouettePx * Vec2(std::cos(angle), std::sin(angle));
-      const auto sight = caster_.look(caster_.rayThrough(at.x, at.y));
-      const Hit* first = caster_.firstShown(sight);
-      const bool sameLayer = seesLayerOf(i, first, at);
-      for (Turned& one : lights) {
-        if (one.atBorder || (sameLayer && (!one.light || caster_.sees(*one.light, *first) == one.visible)))
-          continue;
-        one.atBorder = true;
-        --left;
-      }
+  for (const Vec2& at : placesAround(center, kSilhouettePx, coarse_)) {
+    if (left == 0) return;
+    const auto sight = caster_.look(caster_.rayThrough(at.x, at.y));
+    const Hit* first = caster_.firstShown(sight);
+    const bool sameLayer = seesLayerOf(i, first, at);
+    for (Turned& one : lights) {
+      if (one.atBorder || (sameLayer && (!one.light || caster_.sees(*one.light, *first) == one.visible)))
+        continue;
+      one.atBorder = true;
+      --left;
     }
-    turn = 0.5 - turn;
   }
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -69,8 +68,6 @@ class LightJudge : ComparedPixels {
   [[nodiscard]] Unexplained withoutBorders(std::uint32_t i, Vec3 off, std::vector<Turned> lights,
                                            const Vec2& center) const;
   void findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights) const;
-  void findBorders(std::uint32_t i, const Vec2& center, std::vector<Turned>& lights,
-                   std::initializer_list<double> radii, int directions) const;
 
   const Caster& caster_;
   bool coarse_;

@@ -69,4 +69,19 @@ double distanceTo(const std::function<bool(const Vec2&)>& holds, const Vec2& cen
   return OutlineSearch(holds, center, farthest).distance();
 }
 
+std::vector<Vec2> placesAround(const Vec2& center, double farthest, bool coarse) {
+  const std::vector<double> radii = coarse ? std::vector{1.0} : std::vector{0.1, 0.2, 0.4, 0.8, 1.02};
+  const int directions = coarse ? 4 : kDirections;
+  std::vector<Vec2> places;
+  double turn = 0;
+  for (const double radius : radii) {
+    for (int k = 0; k < directions; ++k) {
+      const double angle = kTau * (k + turn) / directions;
+      places.push_back(center + radius * farthest * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    turn = 0.5 - turn;
+  }
+  return places;
+}
+
 }  // namespace luxo::reference

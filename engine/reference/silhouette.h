@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "math/vec.h"
 
@@ -14,5 +15,10 @@ namespace luxo::reference {
 /// where nothing is found. Same units throughout. Cost: up to 300 tries.
 [[nodiscard]] double distanceTo(const std::function<bool(const Vec2&)>& holds, const Vec2& center,
                                 double farthest);
+
+/// Places that tell what is within `farthest` of a center, the nearest ones first: 16 on each of five rings,
+/// of which every other one is turned by half a step; the last is as much wider as a straight border that
+/// touches the circle passes beside them. `coarse`: four, on one ring.
+[[nodiscard]] std::vector<Vec2> placesAround(const Vec2& center, double farthest, bool coarse = false);
 
 }  // namespace luxo::reference

@@ -48,7 +48,7 @@ TEST(RequiredError, ShowsDigitsThatDiffer) {
 }
 
 TEST(RequiredError, LostPixelsMissWhateverIsRequired) {
-  EXPECT_NE(missOf({.residualMaxPx = 1e-4, .unconvergedPx = 1}, 1e300).find("1 pixels are wrong"),
+  EXPECT_NE(missOf({.residualMaxPx = 1e-4, .unconvergedPx = 1}, 1e300).find("1 pixels are lost"),
             std::string::npos);
   EXPECT_EQ(missOf({.residualMaxPx = 1e-4, .uncertifiedPx = 9}, 0.01), "") << "they lie on the surface";
 }

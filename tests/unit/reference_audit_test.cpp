@@ -145,6 +145,20 @@ TEST(Audit, OfWhatTouchesEitherColorIsRight) {
   }
 }
 
+TEST(Audit, OfWhatIsFlattenedEitherSideIsRight) {
+  for (const double thickness : {0.0, 1.0}) {
+    Scene scene;
+    scene.add(
+        Node{.rotation = Rotation{{0, 1, 0}, 0.3}, .scale = Vec3(1, 1, thickness), .surface = sphere(0.4)});
+    scene.add(Node{.translation = Vec3(0, 0, 5), .light = Light{}});
+    scene.add(Camera{.eye = Vec3(0, 0, 10), .projection = Projection::Orthographic, .height = 1});
+    const Snapshot snapshot = takeSnapshot(scene, 0, {100, 100});
+    const Caster caster(snapshot);
+    EXPECT_EQ(judgeColor(caster, {50.5, 50.5}, Vec3(0), kRounding),
+              thickness == 0 ? Judgement::Right : Judgement::Wrong);
+  }
+}
+
 TEST(Audit, KnowsNoColorsThatRoundingMoves) {
   const Vec2 pixel(85.5, 50.5);
   const Material patterned{.diffusePattern = pattern([](auto u, auto v) { return point(u, v, u); })},
