@@ -473,20 +473,21 @@ struct ReachingLight {
 };
 
 #ifdef __cplusplus
-// All flags share one word.
-inline constexpr uint kInstanceFlags = kTwoSided | kPlane | kShowsBack | kFromAbove | kIsSurface | kUndecided;
-inline constexpr uint kMaterialFlags = kLectureSpecular | kPatternAmbient;
+// Whether no two of some flags, which share a word, have a bit in common.
+template <class... Flags>
+constexpr bool areApart(Flags... flags) {
+  return (std::uint64_t{flags} + ...) == (flags | ...);
+}
 inline constexpr uint kShadeFlags = 0xffu << kShadeShift;
-inline constexpr uint kPatchFlags =
-    kInward | kWrapsU | kWrapsV | kPoleLow | kPoleHigh | kPolesOfU | kRisesOutward | kRadial | kBordered;
-inline constexpr uint kDrawFlags = kBackSide | kNegative | kPerspective;
 inline constexpr uint kLightFlags = ((1u << kFlagsOfLight * kCarriedLights) - 1) * kPointLight;
-static_assert(std::uint64_t{kInstanceFlags} + kMaterialFlags + kShadeFlags + kPatchFlags + kDrawFlags + kLightFlags ==
-              (kInstanceFlags | kMaterialFlags | kShadeFlags | kPatchFlags | kDrawFlags | kLightFlags));
+static_assert(areApart(kTwoSided, kPlane, kShowsBack, kFromAbove, kIsSurface, kUndecided, kLectureSpecular, kPatternAmbient,
+                       kShadeFlags, kBackSide, kNegative, kPerspective, kLightFlags, kInward, kWrapsU, kWrapsV, kPoleLow,
+                       kPoleHigh, kPolesOfU, kRisesOutward, kRadial, kBordered));
+static_assert(areApart(kParallelLight, kGatedLight, kFlatCaster, kConvexCaster, kShowsFront, kTurnsNormal, kTintsLight,
+                       kRadialCaster, kRoundedPoints), "of casters");
 static_assert(kMaxLights < kShadeFlags >> kShadeShift);
-inline constexpr uint kLayerFlags =
-    kLayerOfMesh | kLayerAtBorder | kLayerByRay | kLayerPlaced | kLayerOfSurface | kLayerHole;
-static_assert((kLayerMaterial & kLayerFlags) == 0 && (kMaxFoundMaterials & kLayerMaterial) == 0, "a mask, below the flags");
+static_assert(areApart(kLayerMaterial, kLayerOfMesh, kLayerAtBorder, kLayerByRay, kLayerPlaced, kLayerOfSurface, kLayerHole));
+static_assert((kMaxFoundMaterials & kLayerMaterial) == 0, "a mask, below the flags");
 // What vertices carry: lights, then their shades, do not reach into what follows; of packed numbers at least all but parameters
 // have room, 22 that make the others double among them.
 static_assert(kCarriedShades == 1, "whose number is 1");
