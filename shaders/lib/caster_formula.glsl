@@ -2,16 +2,15 @@
 // The formula of a surface, with the parameters of one of its patches after the other, and rectangles of these patches:
 // varyingFirst, of whoever includes this, says where they are.
 #include "lib/formula.glsl"
+#include "lib/held_parameters.glsl"
 
 layout(scalar, set = kSetShadow, binding = kBindingCasterCells) readonly buffer CasterCells { CasterCell casterCells[]; };
 layout(scalar, set = kSetShadow, binding = kBindingCasterParameters) readonly buffer CasterParameters { float casterParameters[]; };
 
-// A CPU device reads a buffer slowly: parameters are read once for a patch, not whenever the formula is.
 layout(constant_id = kConstantParameterCount) const uint kParameterCount = 0;
-const uint kHeldParameters = 64;
 const uint kHeld = kParameterCount < kHeldParameters ? kParameterCount : kHeldParameters;
 float heldParameters[kHeld > 0 ? kHeld : 1];
-uint heldPatch = 0xffffffffu;
+uint heldPatch = 0xffffffffu;  // whose they are
 
 float casterParameterFromBuffer(uint k) { return casterParameters[varyingFirst.z + heldPatch * varyingFirst.w + k]; }
 

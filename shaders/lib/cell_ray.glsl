@@ -22,9 +22,9 @@
 // as near as that, rays decide. Of light nothing is taken for granted: where it falls aslant on a point a border that is off
 // by so little across the ray is off by far more, so that rectangles are cut on, and rays decide what they leave to rounding.
 
+#include "lib/ray_result.glsl"
 #include "lib/rounds.glsl"
 
-const int kMet = 1, kPassed = 0, kOpen = 2;
 const int kCuts = 31;              // of a cell, each in half: a bit each
 #ifndef LUXO_EVALUATIONS
 #define LUXO_EVALUATIONS 256

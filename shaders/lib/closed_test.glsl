@@ -7,8 +7,8 @@
 // Every number comes with a bound of what floats leave of it, from `e` on, that of the point itself, by axis. kUlps times
 // what has the size of a sum bounds what a few additions round away. What these bounds do not decide is kOpen.
 #include "lib/closed_interface.glsl"
+#include "lib/ray_result.glsl"
 
-const int kMet = 1, kPassed = 0, kOpen = 2;
 const float kUlps = 2.4e-7;  // 2^-22
 const float kTiny = 1e-37;
 

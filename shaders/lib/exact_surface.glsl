@@ -14,10 +14,10 @@
 #define real3 vec3
 #define real4 vec4
 #endif
+#include "lib/held_parameters.glsl"
 
 layout(scalar, set = kSetExact, binding = kBindingExactParameters) readonly buffer ExactParameters { float exactParameters[]; };
-// A CPU device reads a buffer slowly: parameters that are not carried are read once, not whenever the formula is.
-const uint kHeldParameters = 64;
+// Of those that are not carried.
 const uint kNotCarried = kParameterCount > kCarriedParameters ? kParameterCount - kCarriedParameters : 0;
 const uint kHeld = kNotCarried < kHeldParameters ? kNotCarried : kHeldParameters;
 real heldParameters[kHeldParameters];
