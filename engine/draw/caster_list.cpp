@@ -8,9 +8,13 @@
 
 #include "draw/paint.h"
 #include "math/transform.h"
+#include "shared/scene_data.h"
 #include "surface/surface_triangles.h"
 
 namespace luxo {
+
+static_assert(kTriangleNumbers == shared::kTriangleNumbers);
+
 namespace {
 
 /// Of the distances involved: what a dozen operations of single precision round away.
@@ -18,8 +22,6 @@ constexpr double kRounding = 0x1p-21;
 /// Of parameters: what single precision leaves of a rectangle's middle, and of those of its halves. Without
 /// it there were gaps between cells at many turns of a coil.
 constexpr double kParameterRounding = 0x1p-22;
-/// Numbers of a triangle: its corners, and their parameters.
-constexpr std::uint32_t kCornerNumbers = 9, kCornerParameters = 6;
 constexpr float kUp = 1 + 0x1p-22F;  ///< a float that is rounded down is no bound
 
 /// How far a surface's points would move if its parameters, as shaders have them, were as large again, at
@@ -69,7 +71,8 @@ std::optional<CasterList::Entry> CasterList::entryOf(const SnapshotNode& node, c
   const int size = triangles ? std::max(gridSize, static_cast<int>(std::sqrt(triangles->count))) : gridSize;
   const auto grid = gridThatFits(node, fromObject, size);
 
-  const std::uint32_t ofTriangle = kCornerNumbers + (readsParameters(node) ? kCornerParameters : 0);
+  const std::uint32_t ofTriangle =
+      shared::kTriangleNumbers + (readsParameters(node) ? 3 * shared::kCornerParameters : 0);
   const Vec3 origin = inverse * (list_.origin - node.worldFromObject.translation);
   const Vec3 farthest = glm::max(glm::abs(cells.bounds.min), glm::abs(cells.bounds.max));
   Casters& all = list_.casters;

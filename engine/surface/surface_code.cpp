@@ -80,7 +80,7 @@ void SurfaceCodes::forgetGone() {
   std::erase_if(byText_, [](const auto& entry) { return entry.second.expired(); });
 }
 
-SurfaceCode triangleCode() { return {.glsl = "#define LUXO_TRIANGLES\n", .parameters = 9}; }
+SurfaceCode triangleCode() { return {.glsl = "#define LUXO_TRIANGLES\n", .parameters = kTriangleNumbers}; }
 
 SurfaceCodePtr SurfaceCodes::get(Equation::Form form, std::size_t parameters, GlslNumber number) {
   return shared(equationCode(form, parameters, number));

@@ -2,6 +2,8 @@
 // Surfaces as shader code: what the exact fragment shaders are made with.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -49,7 +51,9 @@ inline constexpr std::size_t kMaxInstructions = 20'000;
 /// The code of patches of several formulas, all in float: those read `parameters` numbers at most, and one
 /// more tells which of the codes a patch has. It is empty where one is, or all together are too large.
 [[nodiscard]] SurfaceCode unitedCode(std::span<const SurfaceCodePtr> codes, std::size_t parameters);
-/// The code of all triangles that rays meet (shaders/lib/triangle_ray.glsl): of each nine numbers are read.
+/// What is read of a triangle that rays meet (shaders/lib/triangle_ray.glsl).
+inline constexpr std::uint32_t kTriangleNumbers = 9;
+/// The code of all of them.
 [[nodiscard]] SurfaceCode triangleCode();
 /// The code of all planes that fill a shell, in double.
 [[nodiscard]] SurfaceCode planeCode(std::size_t parameters);

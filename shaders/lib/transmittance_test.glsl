@@ -85,7 +85,10 @@ bool isLastPassage(Passage passage) {
 
 #ifdef LUXO_TRIANGLES
 #ifdef LUXO_PATTERN
-vec2 parametersOfCorner(uint corner) { return vec2(casterParameterAt(9 + 2 * corner), casterParameterAt(10 + 2 * corner)); }
+vec2 parametersOfCorner(uint corner) {
+  return vec2(casterParameterAt(kTriangleNumbers + kCornerParameters * corner),
+              casterParameterAt(kTriangleNumbers + 1 + kCornerParameters * corner));
+}
 
 vec2 onTriangle(vec2 weights) {
   vec2 first = parametersOfCorner(0);

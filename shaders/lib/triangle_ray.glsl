@@ -39,7 +39,7 @@ bool isAsNearAsBordersMove(CellRay ray) {
 void noteEdge(CellRay ray, float t) { widthBesideEdge = min(widthBesideEdge, (ray.grain.x + ray.grain.y * t) / kGrain); }
 
 int meetsCell(CellRay ray, CasterCell cell) {
-  precise vec3 a = cornerOf(ray, 0), b = cornerOf(ray, 3), c = cornerOf(ray, 6);
+  precise vec3 a = cornerOf(ray, 0), b = cornerOf(ray, kCornerNumbers), c = cornerOf(ray, 2 * kCornerNumbers);
   float ofA = spanned(b, c), ofB = spanned(c, a), ofC = spanned(a, b);
   float most = max(max(ofA, ofB), ofC), least = min(min(ofA, ofB), ofC);
   // An edge's length, or more, times how far from it the ray may be.

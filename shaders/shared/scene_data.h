@@ -302,6 +302,12 @@ struct GridEntry {
   float nearest;
 };
 
+// The numbers of a triangle that rays meet, as draw/caster_list.cpp lists them: its corners, and behind these, where
+// something on it depends on them, their parameters.
+LUXO_CONSTANT kCornerNumbers = 3;  // of each corner
+LUXO_CONSTANT kTriangleNumbers = 3 * kCornerNumbers;
+LUXO_CONSTANT kCornerParameters = 2;
+
 LUXO_CONSTANT kParallelLight = 1;
 LUXO_CONSTANT kGatedLight = 2;    // it lights nothing that faces away
 LUXO_CONSTANT kFlatCaster = 4;
