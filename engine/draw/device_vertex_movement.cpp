@@ -27,6 +27,7 @@
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
+#include "shared/scene_data.h"
 #include "shared/vertex_movement.h"
 
 namespace luxo {
@@ -214,7 +215,7 @@ class DeviceVertexMovement::Mover {
                                     .memory = gpu::MemoryUse::Readback,
                                     .name = name});
     };
-    std::vector<float> numbers(kShaderNumbers);
+    std::vector<float> numbers(shared::kShaderNumbers);
     appendUniforms(material, numbers);
     const std::vector<shared::VertexAtRest> all = packed(vertices);
     const VkDeviceSize moved = shared::kMovementStates * all.size() * sizeof(Vec4f);

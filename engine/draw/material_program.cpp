@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -381,7 +382,7 @@ std::vector<std::string> MaterialProgram::unused(const Material& material) const
 
 std::optional<std::string> MaterialProgram::valueOf(const gpu::ShaderVariable& uniform,
                                                     const Paint& paint) const {
-  std::uint32_t first = kShaderNumbers, texture = paint.firstOfUniforms();
+  std::uint32_t first = shared::kShaderNumbers, texture = paint.firstOfUniforms();
   for (const auto& [name, count] : paint.given()) {
     if (name == uniform.name && count == 0) return fmt::format("{}", texture);
     if (name == uniform.name) {
@@ -493,16 +494,25 @@ void appendUniforms(const Material& material, std::vector<float>& numbers) {
 
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
                   std::vector<float>& numbers) {
-  const auto add = [&](const Vec3& v) {
-    for (int i = 0; i < 3; ++i) numbers.push_back(static_cast<float>(v[i]));
+  std::array<float, shared::kShaderNumbers> own{};
+  const auto put = [&](std::size_t first, const Vec3& v) {
+    for (int i = 0; i < 3; ++i) own[first++] = static_cast<float>(v[i]);
+  };
+  const auto putMatrix = [&](std::size_t first, const Mat3& m) {
+    for (int column = 0; column < 3; ++column, first += 3) put(first, m[column]);
   };
   Mat3 objectFromWorld = inverseOrZero(node.worldFromObject.linear);
-  for (int column = 0; column < 3; ++column) objectFromWorld[column] /= node.evened;
-  add(origin);
-  for (int column = 0; column < 3; ++column) add(objectFromWorld[column]);
-  add(objectFromWorld * (origin - node.worldFromObject.translation));
-  add(ambient);
-  for (int column = 0; column < 3; ++column) add(node.worldFromObject.linear[column] * node.evened[column]);
+  Mat3 worldFromObject = node.worldFromObject.linear;
+  for (int column = 0; column < 3; ++column) {
+    objectFromWorld[column] /= node.evened;
+    worldFromObject[column] *= node.evened[column];
+  }
+  put(shared::kShaderOrigin, origin);
+  putMatrix(shared::kShaderObjectFromRelative, objectFromWorld);
+  put(shared::kShaderObjectOrigin, objectFromWorld * (origin - node.worldFromObject.translation));
+  put(shared::kShaderAmbient, ambient);
+  putMatrix(shared::kShaderRelativeFromObject, worldFromObject);
+  numbers.insert(numbers.end(), own.begin(), own.end());
   appendUniforms(material, numbers);
   for (const double parameter : material.curvatureParameters)
     numbers.push_back(static_cast<float>(parameter));

@@ -3,8 +3,7 @@
 // name.
 //
 // The values of uniforms are data of a material, so that all materials of a shader share its modules: they
-// lie among the material's numbers (DrawList::patternParameters), after kShaderNumbers others, which
-// appendShader() lists.
+// lie among the material's numbers (DrawList::patternParameters), after shared::kShaderNumbers others.
 #pragma once
 
 #include <cstdint>
@@ -101,10 +100,8 @@ class MaterialProgram {
   bool compiled_ = false;
 };
 
-/// What is before the uniforms: the origin of positions, what takes them to the node's axes (columns and a
-/// constant), the ambient light, what takes directions back. Behind them are the parameters of
+/// The numbers of its shader (shared::kShaderOrigin and on), of its uniforms, and the parameters of
 /// Material::curvature.
-inline constexpr std::uint32_t kShaderNumbers = 27;
 void appendShader(const Material& material, const SnapshotNode& node, const Vec3& origin, const Vec3& ambient,
                   std::vector<float>& numbers);
 /// Those of the uniforms alone.

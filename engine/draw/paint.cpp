@@ -5,7 +5,6 @@
 
 #include <cstdint>
 
-#include "draw/material_program.h"
 #include "shared/scene_data.h"
 
 namespace luxo {
@@ -52,7 +51,7 @@ std::uint32_t Paint::firstOfShader() const {
 }
 
 std::uint32_t Paint::firstOfCurvature() const {
-  std::uint32_t numbers = firstOfShader() + kShaderNumbers;
+  std::uint32_t numbers = firstOfShader() + shared::kShaderNumbers;
   for (const auto& [name, count] : shader_.given) numbers += count;
   return numbers;
 }

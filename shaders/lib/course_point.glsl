@@ -21,11 +21,11 @@ void luxoLoadMatrices() {
        down = perspective ? view.rayDown : view.placeDown;
   vec3 eye = perspective ? view.viewer.xyz : view.placeMiddle - view.forward.w * forward;
   luxoEyeAxes = transpose(mat3(normalize(right), -normalize(down), -forward));
-  luxoObjectFromRelative = mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9));
+  luxoObjectFromRelative = shaderMatrix(kShaderObjectFromRelative);
   luxoRelativeFromObject = determinant(luxoObjectFromRelative) != 0.0 ? inverse(luxoObjectFromRelative) : mat3(0);
   mat3 linear = luxoEyeAxes * luxoRelativeFromObject;
   gL_ModelViewMatrix = mat4(linear);
-  gL_ModelViewMatrix[3] = vec4(luxoEyeAxes * (-luxoRelativeFromObject * shaderNumbers3(12) - eye), 1.0);
+  gL_ModelViewMatrix[3] = vec4(luxoEyeAxes * (-luxoRelativeFromObject * shaderNumbers3(kShaderObjectOrigin) - eye), 1.0);
   gL_NormalMatrix = luxoEyeAxes * transpose(luxoObjectFromRelative);
   // Near and far are those of what there is to see.
   float near = max(view.depthRange.x, 1e-6), far = max(view.depthRange.y, 1.001 * near);
@@ -42,7 +42,7 @@ void luxoLoadMatrices() {
 
 void luxoLoadMaterial() {
   Material plain = foundMaterial();
-  vec3 scene = shaderNumbers3(15);  // ambient light, which the material's number is a product with
+  vec3 scene = shaderNumbers3(kShaderAmbient);  // ambient light, which the material's number is a product with
   vec3 ambient = (plain.flags & kPatternAmbient) != 0
                      ? plain.diffuse
                      : mix(plain.diffuse, plain.ambient / max(scene, vec3(kTiny)), greaterThan(scene, vec3(0)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light on a point of a material that has a shader. The file "material" is made from that (draw/material_program.h).
-// Where the material's numbers begin that are no map's is LUXO_SHADER_NUMBERS: draw/material_program.h lists them.
+// Where the material's numbers begin that are no map's is LUXO_SHADER_NUMBERS: from kShaderOrigin on (shared/scene_data.h).
 #extension GL_GOOGLE_include_directive : require
 #include "lib/found.glsl"
 #include "lib/lights.glsl"
@@ -28,6 +28,7 @@ float litOpacity;  // that the shader gives
 
 float shaderNumber(uint k) { return patternParameterAt(LUXO_SHADER_NUMBERS + k); }
 vec3 shaderNumbers3(uint k) { return vec3(shaderNumber(k), shaderNumber(k + 1), shaderNumber(k + 2)); }
+mat3 shaderMatrix(uint k) { return mat3(shaderNumbers3(k), shaderNumbers3(k + 3), shaderNumbers3(k + 6)); }
 
 // Of the picture, in pixels: of shaders that fill it (mainImage in MATERIALS.md).
 vec2 luxoPictureSize() { return 2.0 * view.middle; }
@@ -50,9 +51,9 @@ Light light(int index) {
 }
 
 #ifdef LUXO_OPENNESS
-vec3 ambientLight() { return openness() * shaderNumbers3(15); }
+vec3 ambientLight() { return openness() * shaderNumbers3(kShaderAmbient); }
 #else
-vec3 ambientLight() { return shaderNumbers3(15); }
+vec3 ambientLight() { return shaderNumbers3(kShaderAmbient); }
 #endif
 
 vec3 blinnPhong(vec3 diffuse, vec3 specular, float shininess) {
@@ -87,9 +88,9 @@ vec3 glowMap(vec2 uv) {
 vec4 texture(int map, vec2 uv) { return wholeTexelOfMap(uint(map), uv); }
 vec4 textureGrad(int map, vec2 uv, vec2 right, vec2 below) { return wholeTexelOfMap(uint(map), uv, vec4(right, below)); }
 
-vec3 worldVector(vec3 object) { return mat3(shaderNumbers3(18), shaderNumbers3(21), shaderNumbers3(24)) * object; }
-vec3 objectVector(vec3 world) { return mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)) * world; }
-vec3 worldNormal(vec3 object) { return object * mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)); }
+vec3 worldVector(vec3 object) { return shaderMatrix(kShaderRelativeFromObject) * object; }
+vec3 objectVector(vec3 world) { return shaderMatrix(kShaderObjectFromRelative) * world; }
+vec3 worldNormal(vec3 object) { return object * shaderMatrix(kShaderObjectFromRelative); }
 
 #ifdef LUXO_TRACES
 #include "lib/trace.glsl"
@@ -113,8 +114,8 @@ float numberOr0(float x) { return isNumber(x) ? x : 0.0; }
 Point materialPoint(Found found) {
   vec4 frame = normalFrame(), footprint = pixelFootprint();
   Point p;
-  p.position = found.position + shaderNumbers3(0);
-  p.object = mat3(shaderNumbers3(3), shaderNumbers3(6), shaderNumbers3(9)) * found.position + shaderNumbers3(12);
+  p.position = found.position + shaderNumbers3(kShaderOrigin);
+  p.object = shaderMatrix(kShaderObjectFromRelative) * found.position + shaderNumbers3(kShaderObjectOrigin);
   p.normal = found.normal;
   p.viewer = found.viewer;
   p.tangent = frame.xyz;

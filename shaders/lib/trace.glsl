@@ -33,7 +33,7 @@ Hit noHit() { return Hit(false, false, 1e30, vec3(0), vec3(0), vec2(0), vec3(0),
 
 Hit answered(TraceAnswer answer, uint number) {
   return Hit(answer.distance >= 0.0, answer.inside != 0, answer.distance >= 0.0 ? answer.distance : 1e30,
-             answer.position + shaderNumbers3(0), answer.normal, answer.parameters, answer.color, number);
+             answer.position + shaderNumbers3(kShaderOrigin), answer.normal, answer.parameters, answer.color, number);
 }
 
 Hit traced(uint from, vec3 direction) {

@@ -181,6 +181,15 @@ LUXO_CONSTANT kTextureAnisotropy = 17;
 LUXO_CONSTANT kTextureNumbers = 18;
 LUXO_CONSTANT kNormalNumbers = 9;  // after those of a map of normals: columns of the matrix that turns its vectors
 
+// The numbers of a material's shader, as draw/material_program.cpp lists them; its uniforms are behind them. Matrices by
+// columns.
+LUXO_CONSTANT kShaderOrigin = 0;  // of positions: what they are relative to, in the world
+LUXO_CONSTANT kShaderObjectFromRelative = 3;
+LUXO_CONSTANT kShaderObjectOrigin = 12;  // what is added
+LUXO_CONSTANT kShaderAmbient = 15;       // the scene's ambient light
+LUXO_CONSTANT kShaderRelativeFromObject = 18;  // of directions
+LUXO_CONSTANT kShaderNumbers = 27;
+
 struct LightData {
   vec4 position;  // w = 1: a point; w = 0: the unit direction toward a light at infinity
   vec3 radiance;  // color * intensity
@@ -503,7 +512,11 @@ static_assert(kLightNumbers * kCarriedLights + kShadeNumbers * kCarriedShades + 
 // What every device has room for: a uniform buffer, what is pushed.
 static_assert(kUniformMaterials * sizeof(MaterialData) <= 16384 && sizeof(LightSet) <= 16384);
 static_assert(sizeof(ShellDraw) <= 128 && sizeof(RayTarget) <= 128 && sizeof(FlatShadow) <= 128);
-// Every number of an equation has a place of its own, and a point with a fault is told by the signs of three channels.
+// Every number of a material's shader and of an equation has a place of its own, and a point with a fault is told by the signs
+// of three channels.
+static_assert(kShaderOrigin + 3 == kShaderObjectFromRelative && kShaderObjectFromRelative + 9 == kShaderObjectOrigin &&
+              kShaderObjectOrigin + 3 == kShaderAmbient && kShaderAmbient + 3 == kShaderRelativeFromObject &&
+              kShaderRelativeFromObject + 9 == kShaderNumbers);
 static_assert(kQuadricCenter < kEquationLowest && kTorusTube < kEquationLowest && kEquationScale + 3 == kEquationNumbers);
 static_assert(kEquationLowest + 3 == kEquationHighest && kEquationHighest + 3 == kEquationU && kEquationU + 3 == kEquationV &&
               kEquationV + 3 == kEquationScale);
