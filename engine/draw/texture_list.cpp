@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "image/image.h"
 #include "math/transform.h"
@@ -10,6 +11,10 @@
 #include "shared/scene_data.h"
 
 namespace luxo {
+
+static_assert(shared::kWrapClamp == static_cast<std::uint32_t>(TextureWrap::Clamp) &&
+              shared::kWrapMirror == static_cast<std::uint32_t>(TextureWrap::Mirror));
+
 namespace {
 
 /// Its first texel's index.
@@ -24,31 +29,24 @@ std::size_t listed(const std::shared_ptr<const Texture>& texture, TextureList& t
 /// Of no map the tint alone counts.
 void append(const TextureMap& map, const Vec3& tint, const Surface& surface, TextureList& textures,
             std::vector<float>& numbers) {
-  const auto number = [](auto value) { return static_cast<float>(value); };
   std::array<float, shared::kTextureNumbers> all{};
-  for (int c = 0; c < 3; ++c) all[shared::kTextureTint + static_cast<std::size_t>(c)] = number(tint[c]);
+  const auto put = [&](std::size_t first, auto... values) {
+    ((all[first++] = static_cast<float>(values)), ...);
+  };
+  put(shared::kTextureTint, tint.x, tint.y, tint.z);
   if (map.valid()) {
     const std::size_t first = listed(map.texture, textures);
     const TexturePlacement placement = map.on(surface);
+    const Mat2& linear = placement.linear;
     const TextureLevel& level = map.texture->levels[0];
-    all = {number(placement.linear[0].x),
-           number(placement.linear[0].y),
-           number(placement.linear[1].x),
-           number(placement.linear[1].y),
-           number(placement.constant.x),
-           number(placement.constant.y),
-           number(tint.x),
-           number(tint.y),
-           number(tint.z),
-           number(level.width),
-           number(level.height),
-           number(map.texture->levels.size()),
-           number(first / 65536),
-           number(first % 65536),
-           number(map.wrapU),
-           number(map.wrapV),
-           number(map.filter == TextureFilter::Nearest),
-           number(map.anisotropy)};
+    put(shared::kTextureLinear, linear[0].x, linear[0].y, linear[1].x, linear[1].y);
+    put(shared::kTextureConstant, placement.constant.x, placement.constant.y);
+    put(shared::kTextureSize, level.width, level.height);
+    put(shared::kTextureLevels, map.texture->levels.size());
+    put(shared::kTextureFirst, first / 65536, first % 65536);
+    put(shared::kTextureWraps, map.wrapU, map.wrapV);
+    put(shared::kTextureNearest, map.filter == TextureFilter::Nearest);
+    put(shared::kTextureAnisotropy, map.anisotropy);
   }
   numbers.insert(numbers.end(), all.begin(), all.end());
 }

@@ -12,7 +12,6 @@ layout(set = kSetPattern, binding = LUXO_TEXELS_BINDING) uniform samplerBuffer t
 const float kAlphaRounding = 1e-5;
 const int kMaxMipLevels = 16;   // after the first: of images of 65,536 texels a side
 const float kMaxStep = 1e6;  // of a footprint, images: whatever is more is all the same
-const uint kWrapClamp = 1, kWrapMirror = 2;
 
 struct TextureNumbers {
   vec2 size;

@@ -168,20 +168,24 @@ LUXO_CONSTANT kBlendMultiply = 2;
 LUXO_CONSTANT kBlendMode = 3;  // the bits of these
 LUXO_CONSTANT kIdShift = 2;
 
-// The numbers of a texture (shaders/lib/texture.glsl), as draw/texture_list.cpp lists them.
+// The numbers of a texture (shaders/lib/texture.glsl), by draw/texture_list.cpp.
 LUXO_CONSTANT kTextureLinear = 0;    // columns of the matrix that takes u and v to the image
 LUXO_CONSTANT kTextureConstant = 4;  // what is added
 LUXO_CONSTANT kTextureTint = 6;
 LUXO_CONSTANT kTextureSize = 9;
 LUXO_CONSTANT kTextureLevels = 11;
 LUXO_CONSTANT kTextureFirst = 12;    // the first texel's index: 65536 times the first number, and the second
-LUXO_CONSTANT kTextureWraps = 14;    // of u, of v
+LUXO_CONSTANT kTextureWraps = 14;    // of u, of v: luxo::TextureWrap (scene/texture_map.h)
 LUXO_CONSTANT kTextureNearest = 16;  // instead of a filter
 LUXO_CONSTANT kTextureAnisotropy = 17;
 LUXO_CONSTANT kTextureNumbers = 18;
 LUXO_CONSTANT kNormalNumbers = 9;  // after those of a map of normals: columns of the matrix that turns its vectors
 
-// The numbers of a material's shader, as draw/material_program.cpp lists them; its uniforms are behind them. Matrices by
+// Of wraps; the other repeats the image.
+LUXO_CONSTANT kWrapClamp = 1;
+LUXO_CONSTANT kWrapMirror = 2;
+
+// The numbers of a material's shader, by draw/material_program.cpp; its uniforms are behind them. Matrices by
 // columns.
 LUXO_CONSTANT kShaderOrigin = 0;  // of positions: what they are relative to, in the world
 LUXO_CONSTANT kShaderObjectFromRelative = 3;
@@ -512,8 +516,12 @@ static_assert(kLightNumbers * kCarriedLights + kShadeNumbers * kCarriedShades + 
 // What every device has room for: a uniform buffer, what is pushed.
 static_assert(kUniformMaterials * sizeof(MaterialData) <= 16384 && sizeof(LightSet) <= 16384);
 static_assert(sizeof(ShellDraw) <= 128 && sizeof(RayTarget) <= 128 && sizeof(FlatShadow) <= 128);
-// Every number of a material's shader and of an equation has a place of its own, and a point with a fault is told by the signs
-// of three channels.
+// Every number of a texture, of a material's shader and of an equation has a place of its own, and a point with a fault is
+// told by the signs of three channels.
+static_assert(kTextureLinear + 4 == kTextureConstant && kTextureConstant + 2 == kTextureTint &&
+              kTextureTint + 3 == kTextureSize && kTextureSize + 2 == kTextureLevels && kTextureLevels + 1 == kTextureFirst &&
+              kTextureFirst + 2 == kTextureWraps && kTextureWraps + 2 == kTextureNearest &&
+              kTextureNearest + 1 == kTextureAnisotropy && kTextureAnisotropy + 1 == kTextureNumbers);
 static_assert(kShaderOrigin + 3 == kShaderObjectFromRelative && kShaderObjectFromRelative + 9 == kShaderObjectOrigin &&
               kShaderObjectOrigin + 3 == kShaderAmbient && kShaderAmbient + 3 == kShaderRelativeFromObject &&
               kShaderRelativeFromObject + 9 == kShaderNumbers);
