@@ -27,6 +27,7 @@
 #include "gpu/shader_compiler.h"
 #include "luxo/shaders/sources.h"
 #include "math/transform.h"
+#include "shared/loop_rounds.h"
 #include "shared/scene_data.h"
 #include "shared/vertex_movement.h"
 
@@ -155,7 +156,9 @@ class DeviceVertexMovement::Mover {
       std::memcpy(&endless, readFaults_.read().data(), sizeof endless);
       if (endless > 0)
         refuseMovement(*material.shader,
-                       "there are vertices for which the loops of the program go round more than 32768 times",
+                       fmt::format("there are vertices for which the loops of the program go round more than "
+                                   "{} times",
+                                   shared::kLuxoMaxRounds),
                        "end them sooner: a loop that never ends would hang the device");
       first += some;
     }

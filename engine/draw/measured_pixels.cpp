@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "draw/accumulation.h"
+#include "shared/loop_rounds.h"
 #include "shared/scene_data.h"
 
 namespace luxo {
@@ -82,10 +83,9 @@ void refuseShaders(const Snapshot& snapshot, const shared::ShaderFaults& faults)
   if (faults.endless > 0)
     throw Error(
         ErrorKind::Scene,
-        fmt::format(
-            "{}: there are pixels in which the loops of the shader go round more than 32768 times, all "
-            "of a point together",
-            all),
+        fmt::format("{}: there are pixels in which the loops of the shader go round more than {} times, all "
+                    "of a point together",
+                    all, shared::kLuxoMaxRounds),
         "end them sooner: a loop that never ends would hang the device");
   if (faults.seenThrough > 0)
     throw Error(

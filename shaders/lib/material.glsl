@@ -2,6 +2,8 @@
 // What a material's shader is given, and what it gives: shaders/MATERIALS.md is the manual. Names here are for good.
 #ifndef LUXO_LIB_MATERIAL_GLSL
 #define LUXO_LIB_MATERIAL_GLSL
+#extension GL_GOOGLE_include_directive : require
+#include "shared/loop_rounds.h"
 
 // The point to be lit. Directions are unit, with the axes of the world.
 struct Point {
@@ -61,9 +63,7 @@ Hit trace(Hit from, vec3 direction);
 // The shader's: linear RGB, and the opacity, which is 1 unless a line of the shader is `#pragma luxo opacity`.
 vec4 material(Point p);
 
-// Loops of shaders end after so many rounds, all loops of a point together: draw/bounded_loops.h has them ask. Half of
-// where Mesa's llvmpipe ends a loop by itself, and tells nobody (LP_MAX_TGSI_LOOP_ITERATIONS, 65535).
-const uint kLuxoMaxRounds = 32768;
+// Loops of shaders end after kLuxoMaxRounds rounds.
 uint luxoRounds = 0;
 bool luxoStops() { return ++luxoRounds > kLuxoMaxRounds; }
 #define LUXO_ASKS if (luxoStops()) break; else
