@@ -8,15 +8,16 @@
 #include <span>
 
 #include "math/transform.h"
+#include "shared/scene_data.h"
 #include "surface/surface_triangles.h"
 
 namespace luxo {
 namespace {
 
-constexpr double kSteps = 16383;  // of half an axis of the octahedron
-
-/// From 0 to 2 kSteps.
-std::uint32_t stepOf(double p) { return static_cast<std::uint32_t>(std::lround(kSteps * (p + 1))); }
+/// From 0 to 2 kRestSteps.
+std::uint32_t stepOf(double p) {
+  return static_cast<std::uint32_t>(std::lround(shared::kRestSteps * (p + 1)));
+}
 
 double signOf(double x) { return x < 0 ? -1 : 1; }
 

@@ -5,8 +5,7 @@
 #define LUXO_LIB_REST_FRAME_GLSL
 #extension GL_GOOGLE_include_directive : require
 #include "lib/octahedral.glsl"
-
-const float kRestSteps = 16383.0;  // of half an axis of the octahedron
+#include "shared/scene_data.h"
 
 bool isRest(vec4 frame) { return abs(frame.w) >= 2.0; }
 

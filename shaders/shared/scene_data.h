@@ -185,6 +185,9 @@ LUXO_CONSTANT kNormalNumbers = 9;  // after those of a map of normals: columns o
 LUXO_CONSTANT kWrapClamp = 1;
 LUXO_CONSTANT kWrapMirror = 2;
 
+// Of half an axis of the octahedron, for the normals of points at rest (shaders/lib/rest_frame.glsl): 15 bits a number.
+LUXO_NUMBER kRestSteps = 16383.0;
+
 // The numbers of a material's shader, by draw/material_program.cpp; its uniforms are behind them. Matrices by
 // columns.
 LUXO_CONSTANT kShaderOrigin = 0;  // of positions: what they are relative to, in the world
@@ -528,6 +531,7 @@ static_assert(kShaderOrigin + 3 == kShaderObjectFromRelative && kShaderObjectFro
 static_assert(kQuadricCenter < kEquationLowest && kTorusTube < kEquationLowest && kEquationScale + 3 == kEquationNumbers);
 static_assert(kEquationLowest + 3 == kEquationHighest && kEquationHighest + 3 == kEquationU && kEquationU + 3 == kEquationV &&
               kEquationV + 3 == kEquationScale);
+static_assert(2 * kRestSteps < 1 << 15, "15 bits a number");
 static_assert(kFaultEndless < 8 && kFaultMoved < 8 && kFaultManyTraces < 8 && kFaultSeenThrough < 8);
 static_assert(kPointOpenHere < 1u << kDoubtBits && kShadowOpenHere < 1u << kDoubtBits && kLayersOpenHere < 1u << kDoubtBits && kLayersUndecidedHere < 1u << kDoubtBits && kDoubtBits * kDoubtsPerWord == 32);
 static_assert(sizeof(ViewData) == 188 && sizeof(InstanceData) == 124 && sizeof(MaterialData) == 64 && sizeof(LightData) == 32 && sizeof(ShadeData) == 24);
