@@ -8,15 +8,12 @@
 #include <optional>
 #include <vector>
 
+#include "reference/picture_rules.h"
 #include "reference/silhouette.h"
 #include "reference/verification.h"
 
 namespace luxo::reference {
 namespace {
-
-/// Of what casters let through, a part of 1: what products of some layers in single precision round away, and
-/// patterns of theirs; a tenth of the least that 8 bits show.
-constexpr double kTransmittanceRounding = 4e-4;
 
 /// Linear: what 8 bits show of a colour.
 constexpr double kOtherColor = 1.0 / 255;

@@ -12,6 +12,7 @@
 
 #include "math/basis.h"
 #include "math/sampling.h"
+#include "reference/picture_rules.h"
 #include "scene/ranges.h"
 
 namespace luxo::reference {
@@ -123,7 +124,6 @@ Hit Caster::hitAt(const Beam& beam, std::uint32_t node, const Root& root) const 
 }
 
 std::optional<Hit> Caster::pointAt(std::uint32_t node, const Vec2& parameters, const Ray& ray) const {
-  constexpr double kSlack = 1e-3;  // of a domain: what interpolation may overshoot an edge by
   const SnapshotNode& of = snapshot_.nodes[node];
   std::optional<Hit> nearest;
   double least = std::numeric_limits<double>::infinity();
@@ -132,7 +132,7 @@ std::optional<Hit> Caster::pointAt(std::uint32_t node, const Vec2& parameters, c
     const Vec2 inside(std::clamp(parameters.x, domain.u.lo, domain.u.hi),
                       std::clamp(parameters.y, domain.v.lo, domain.v.hi));
     const Vec2 beyond = glm::abs(inside - parameters);
-    if (!(beyond.x <= kSlack * domain.u.width() && beyond.y <= kSlack * domain.v.width())) continue;
+    if (!(beyond.x <= kPatchSlack * domain.u.width() && beyond.y <= kPatchSlack * domain.v.width())) continue;
     const Vec3 position = transformPoint(
         of.worldFromObject, BoundedPatch(of.surface, patch, of.parameters).at(inside.x, inside.y).position);
     const double off = glm::length(glm::cross(position - ray.origin, ray.direction));
@@ -198,9 +198,6 @@ Caster::Reflection Caster::reflectionAt(const Hit& hit) const {
 /// is seen the normal tells, or, where that is nearly across the ray, the triangle (shaders/lib/scene.glsl).
 void Caster::placeOnTriangle(const Beam& beam, const Root& root, Hit& hit) const {
   const Ray& ray = beam.ray;
-  // The cosine of 70 degrees: the rule of the pictures that this judges (seenFromFront). Chosen, not
-  // measured.
-  constexpr double kTurningAway = 0.35;
   const Body& body = bodies_[hit.node];
   const SurfaceTriangles& triangles = *snapshot_.nodes[hit.node].surface.triangles();
   const std::array<std::uint32_t, 3> corners = triangles.corners(root.patch);

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/picture_rules.h"
+
 namespace luxo::reference {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr double kSlack = 1e-3;            // of a domain: what interpolation may overshoot an edge by
 constexpr double kSamePointPx = 0.02;      // closer in space: one point, whatever the parameters say
 constexpr double kNeighbourhoodPx = 1e-3;  // kPointPx: points that are off by less are right
 /// Cosine below which a surface is not taken for its tangent plane, 89 degrees: what is farther off than 50
@@ -19,7 +20,7 @@ constexpr int kSteps = 8;  // of a path along the surface
 
 bool holds(const Domain& domain, const Vec2& parameters) {
   const auto within = [](const Interval& range, double x) {
-    const double slack = kSlack * range.width();
+    const double slack = kPatchSlack * range.width();
     return range.lo - slack <= x && x <= range.hi + slack;
   };
   return within(domain.u, parameters.x) && within(domain.v, parameters.y);

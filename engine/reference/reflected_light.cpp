@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/caster.h"
+#include "reference/picture_rules.h"
 
 namespace luxo::reference {
 namespace {
@@ -94,7 +95,6 @@ Vec3 Caster::withoutLights(const Hit& hit) const { return withoutLights(hit, ref
 Vec3 Caster::diffuseOf(const Hit& hit) const { return reflectionAt(hit).diffuse; }
 
 Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt) const {
-  constexpr double kBright = 0.5, kShaded = 0.5, kOutlineWidth = 2;
   constexpr double kTiny = 1e-30;
   const Reflection reflection = reflectionAt(hit);
   const std::array<Beside, 2> neighbours = besides(ray, hit);
@@ -121,8 +121,9 @@ Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt)
       continue;
     const double cosine = cosineOf(Vec3(0), reflection.normal), slope = gradient(cosineOf);
     const auto covered = [&](const Vec3& through) {
-      return glm::clamp((cosine * through - kBright) / glm::max(slope * through, Vec3(kTiny)) + 0.5 + shift,
-                        Vec3(0), Vec3(1));
+      return glm::clamp(
+          (cosine * through - kDrawnBright) / glm::max(slope * through, Vec3(kTiny)) + 0.5 + shift, Vec3(0),
+          Vec3(1));
     };
     if (glm::all(glm::lessThanEqual(covered(Vec3(1)), bright))) continue;
     const Vec3 through = reaching(light, hit, certified);
@@ -138,9 +139,10 @@ Vec3 Caster::drawn(const Ray& ray, const Hit& hit, bool& certified, double tilt)
   double outline = 0;
   if (!snapshot_.nodes[hit.node].surface.flatNormal()) {
     const double distancePx = std::abs(facing(Vec3(0), hit.normal)) / std::max(gradient(facing), kTiny);
-    outline = std::clamp(kOutlineWidth + 0.5 - distancePx - shift, 0.0, 1.0);
+    outline = std::clamp(kDrawnOutlinePx + 0.5 - distancePx - shift, 0.0, 1.0);
   }
-  return (reflection.diffuse * (kShaded + (1 - kShaded) * bright) + reflection.glow) * (1 - outline);
+  return (reflection.diffuse * (kDrawnShaded + (1 - kDrawnShaded) * bright) + reflection.glow) *
+         (1 - outline);
 }
 
 Vec3 Caster::illuminated(const Ray& ray, const Hit& hit, bool& certified, double tilt, Wide wide) const {

@@ -8,10 +8,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a field in float, relative
-constexpr double kEndless = 1e30;
-constexpr double kFewLines = 3, kManyLines = 4;  // in a pixel: between, what is shown goes over to the mean
-
 /// The part of a square pixel in which a linear function is less than x, less a half, where it is 0 in the
 /// middle and moves by a and b, a >= b >= 0, along the sides: the integral of a trapezoid.
 double partBelow(double x, double a, double b) {
@@ -26,8 +22,8 @@ double lineCoverage(const LineField& field, const Vec2& perPixel, double width) 
   double a = std::abs(perPixel.x), b = std::abs(perPixel.y);
   if (a < b) std::swap(a, b);
   const double slope = std::sqrt(a * a + b * b);
-  if (!(slope > kRounding * field.size) || !(width > 0)) return 0;
-  if (!(slope < kEndless)) return field.repeats ? 1 : 0;
+  if (!(slope > kFieldRounding * field.size) || !(width > 0)) return 0;
+  if (!(slope < kEndlessSlope)) return field.repeats ? 1 : 0;
   const double half = 0.5 * width * slope;  // of a line, in steps
   const auto covered = [&](double off) { return partBelow(off + half, a, b) - partBelow(off - half, a, b); };
   if (!field.repeats) return covered(field.level);

@@ -39,6 +39,13 @@ struct Isolines {
 
 inline constexpr std::size_t kMaxLineFamilies = 8;  // of one material
 
+/// Of a field in float, relative.
+inline constexpr double kFieldRounding = 1e-6;
+/// Steps a pixel from which on there are lines everywhere, or, of a single one, nowhere.
+inline constexpr double kEndlessSlope = 1e30;
+/// In a pixel: between, what is shown goes over to the mean.
+inline constexpr double kFewLines = 3, kManyLines = 4;
+
 /// A field at one point, in units of the step.
 struct LineField {
   double level = 0;     ///< distance from `at`

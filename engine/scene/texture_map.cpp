@@ -10,8 +10,6 @@
 namespace luxo {
 namespace {
 
-constexpr double kMaxStep = 1e6;  // of a footprint, images: whatever is more is all the same
-
 /// Reduced to the part that wraps know: 0 to 1, or to 2.
 double inPeriod(double x, TextureWrap wrap) {
   if (wrap == TextureWrap::Clamp) return std::clamp(x, -1.0, 2.0);
@@ -109,7 +107,7 @@ Vec4 TextureMap::at(const TexturePlacement& placement, const Vec2& uv, const Foo
     Mat2 steps = placement.linear * footprint;
     for (int i = 0; i < 2; ++i)
       for (int k = 0; k < 2; ++k)
-        steps[i][k] = size[k] * (std::abs(steps[i][k]) <= kMaxStep ? steps[i][k] : kMaxStep);
+        steps[i][k] = size[k] * (std::abs(steps[i][k]) <= kMaxTextureStep ? steps[i][k] : kMaxTextureStep);
     const Axes axes = axesOf(steps);
     const double width = std::max({axes.shorter, axes.longer / anisotropy, 1.0});
     const double length = std::max(axes.longer / width, 1.0);

@@ -20,6 +20,8 @@ enum class TextureWrap { Repeat, Clamp, Mirror };
 enum class TextureFilter { Trilinear, Nearest };
 
 inline constexpr std::uint32_t kMaxAnisotropy = 16;
+/// Of a footprint, images: whatever is more is all the same.
+inline constexpr double kMaxTextureStep = 1e6;
 
 /// How u and v move from a pixel to the next, in columns: one to the right, one below.
 using Footprint = Mat2;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How much of a pixel lines of a field cover: engine/scene/isolines.h says how, and has the same in double.
+#include "shared/truth.h"
 
 // Those of the material, behind its other numbers.
 float isolineParameterAt(uint k) { return patternParameterAt(LUXO_FIRST_OF_ISOLINES + k); }
 #undef parameterAt
 #define parameterAt isolineParameterAt
-
-const float kFieldRounding = 1e-6;  // relative
-const float kEndless = 1e30;
-const float kFewLines = 3.0, kManyLines = 4.0;  // in a pixel: between, what is shown goes over to the mean
 
 // The part of a square pixel in which a linear function is less than x, less a half, where it is 0 in the middle and moves by
 // a and b, a >= b >= 0, along the sides.
@@ -28,7 +25,7 @@ float lineCoverage(vec4 field, float width, bool repeats) {
   vec2 perPixel = abs(vec2(dot(field.yz, footprint.xy), dot(field.yz, footprint.zw)));
   float a = max(perPixel.x, perPixel.y), b = min(perPixel.x, perPixel.y), slope = length(perPixel);
   if (!(slope > kFieldRounding * field.w) || !(width > 0.0)) return 0.0;
-  if (!(slope < kEndless)) return repeats ? 1.0 : 0.0;
+  if (!(slope < kEndlessSlope)) return repeats ? 1.0 : 0.0;
   float wide = width * slope;
   if (!repeats) return coveredByLine(field.x, wide, a, b);
   float mean = min(wide, 1.0), many = clamp(a + b - kFewLines, 0.0, kManyLines - kFewLines);

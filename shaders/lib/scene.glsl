@@ -3,6 +3,7 @@
 #ifndef LUXO_LIB_SCENE_GLSL
 #define LUXO_LIB_SCENE_GLSL
 #include "shared/scene_data.h"
+#include "shared/truth.h"
 
 layout(scalar, set = kSetScene, binding = kBindingView) uniform View { ViewData view; };
 layout(scalar, set = kSetScene, binding = kBindingInstances) readonly buffer Instances { InstanceData instances[]; };
@@ -41,7 +42,6 @@ vec3 relativeFromObject(InstanceData instance, vec3 position) {
 // facet faces the viewer. The facet decides where the surface turns away: there the interpolated normal runs ahead of
 // it. Elsewhere the normal does: the raster's grid turns facets over that are thinner than a pixel.
 bool seenFromFront(vec3 n, vec3 v, bool facetFaces) {
-  const float kTurningAway = 0.35;
   float cosine = dot(n, v);
   return abs(cosine) > kTurningAway ? cosine > 0.0 : facetFaces;
 }

@@ -4,8 +4,7 @@
 #include "lib/caster_formula.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/scene.glsl"
-
-const float kSlack = 1e-3;  // of a patch: what interpolation may overshoot an edge by
+#include "shared/truth.h"
 
 struct SurfacePlace {
   vec3 position, normal;  // relative; on the side that is shown
@@ -20,7 +19,7 @@ SurfacePlace surfacePlace(vec2 parameters, vec3 drawn, vec3 drawnNormal) {
   for (uint i = 0; i < varyingNode.x; ++i) {
     CasterCell patch_ = casterCells[varyingFirst.y + i];
     vec2 from = parameters - vec2(patch_.originOfU, 0);
-    if (any(greaterThan(abs(from - patch_.middle), (1.0 + kSlack) * patch_.half_))) continue;
+    if (any(greaterThan(abs(from - patch_.middle), (1.0 + kPatchSlack) * patch_.half_))) continue;
     holdPatch(patch_.patch_);
     vec2 inside = clamp(from, patch_.middle - patch_.half_, patch_.middle + patch_.half_);
     vec3 S, Su, Sv;

@@ -2,6 +2,7 @@
 // The textures of a material, that of its colour as a pattern: filtered by luxo itself, as engine/scene/texture_map.h says,
 // whose numbers the ground truth has in double. Where a texture's numbers start is `first`: draw/texture_list.h lists them.
 // All texels of a picture's textures are in one buffer, level after level, row after row.
+#include "shared/truth.h"
 
 #ifndef LUXO_TEXELS_BINDING
 #define LUXO_TEXELS_BINDING kBindingTexels
@@ -11,7 +12,6 @@ layout(set = kSetPattern, binding = LUXO_TEXELS_BINDING) uniform samplerBuffer t
 // What sums of weights lose of an alpha of 1: 17 samples of 8 texels, each rounded by 2^-24.
 const float kAlphaRounding = 1e-5;
 const int kMaxMipLevels = 16;   // after the first: of images of 65,536 texels a side
-const float kMaxStep = 1e6;  // of a footprint, images: whatever is more is all the same
 
 struct TextureNumbers {
   vec2 size;
@@ -75,7 +75,7 @@ vec4 nearestTexel(TextureNumbers numbers, vec2 place) {
   return weighedTexel(numbers, firstLevel(numbers), at.x, at.y);
 }
 
-float stepOf(float x) { return abs(x) <= kMaxStep ? x : kMaxStep; }
+float stepOf(float x) { return abs(x) <= kMaxTextureStep ? x : kMaxTextureStep; }
 
 vec4 filteredTexels(TextureNumbers numbers, vec2 place, mat2 steps) {
   for (int i = 0; i < 2; ++i) steps[i] = numbers.size * vec2(stepOf(steps[i].x), stepOf(steps[i].y));

@@ -3,10 +3,7 @@
 // degrees and half elsewhere, with an edge one pixel wide, and a black line along its silhouette. Where only a part of a
 // light gets through to it, that part of the cosine counts, in each colour; or of a spot's within its cone.
 #include "lib/surface_fragment.glsl"
-
-const float kBright = 0.5;        // N.L from which the colour is full
-const float kShaded = 0.5;        // the level below
-const float kOutlineWidth = 2.0;  // pixels
+#include "shared/truth.h"
 
 layout(location = kLocationDetail) sample in vec3 inDetail;  // u, v where there is a pattern; (N.V) |N.V|
 
@@ -24,10 +21,10 @@ uint shadowsOfPoint() { return 0; }
 vec3 throughToPoint() { return vec3(1); }
 #endif
 
-// How much of a pixel is where the cosine of light's angle, times what gets through of it, is above kBright: of each colour;
-// `gradient`: how the cosine changes from pixel to pixel.
+// How much of a pixel is where the cosine of light's angle, times what gets through of it, is above kDrawnBright: of each
+// colour; `gradient`: how the cosine changes from pixel to pixel.
 vec3 covered(float cosine, float gradient, vec3 through) {
-  return clamp((cosine * through - kBright) / max(gradient * through, vec3(1e-30)) + 0.5, 0.0, 1.0);
+  return clamp((cosine * through - kDrawnBright) / max(gradient * through, vec3(1e-30)) + 0.5, 0.0, 1.0);
 }
 
 vec3 brightness(vec3 n) {
@@ -57,7 +54,7 @@ vec3 brightness(vec3 n) {
 // To first order q / |grad q| is the distance from where q is 0, in pixels; along a silhouette (N.V)^2 makes it exact.
 float outline() {
   float distancePx = abs(inDetail.z) / gradientLength(inDetail.z);
-  return clamp(kOutlineWidth + 0.5 - distancePx, 0.0, 1.0);
+  return clamp(kDrawnOutlinePx + 0.5 - distancePx, 0.0, 1.0);
 }
 
 vec2 foundParameters() { return vec2(0); }
@@ -68,7 +65,7 @@ vec3 drawn(vec3 color) {
   horizonNormal = n;
   n = bentNormal(n, inDetail.xy);
 #endif
-  vec3 light = color * mix(vec3(kShaded), vec3(1), brightness(n));
+  vec3 light = color * mix(vec3(kDrawnShaded), vec3(1), brightness(n));
 #ifdef LUXO_GLOW_MAP
   light += glowAt(inDetail.xy);
 #endif

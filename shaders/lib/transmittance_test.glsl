@@ -7,6 +7,7 @@
 #include "lib/meeting.glsl"
 #endif
 #include "lib/cutoff.glsl"
+#include "shared/truth.h"
 
 bool isOpen;
 
@@ -51,7 +52,7 @@ const int kLooks = 1;
 #ifdef LUXO_TEXTURED
 const float kAlike = 1.0 / 255;  // devices filter with eight bits
 #else
-const float kAlike = 4e-4;  // kTransmittanceRounding in engine/reference/audit.cpp
+const float kAlike = kTransmittanceRounding;
 #endif
 
 vec2 lookAside(int i, vec2 unsure) { return i == 0 ? vec2(0) : unsure * vec2((i & 1) * 2 - 1, (i & 2) - 1); }
