@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/cloth_data.h"
 
-layout(local_size_x = 128) in;
+layout(local_size_x = kClothInvocations) in;
 
 layout(push_constant, scalar) uniform Constants { ClothData cloth; };
 layout(set = kSetCloth, binding = kBindingClothPoints, scalar) coherent buffer Points { vec4 points[]; };

@@ -10,7 +10,7 @@
 #include "lib/material.glsl"
 #include "shared/vertex_movement.h"
 
-layout(local_size_x = 64) in;  // kMovementInvocations
+layout(local_size_x = kMovementInvocations) in;
 
 layout(push_constant, scalar) uniform Constants { MovementRange range; };
 layout(set = kSetMovement, binding = kBindingMovedVertices, scalar) readonly buffer Vertices { VertexAtRest vertices[]; };
