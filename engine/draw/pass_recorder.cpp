@@ -79,11 +79,11 @@ void PassRecorder::record(const Pass& pass) {
   for (const FlatShadowDraw& shadow : pass.flatShadows) flattenShadow(shadow);
   if (pass.rays && (ofShadows || ofTransmittance))
     drawShadows(ofShadows ? Form::ShadowsByRays : Form::TransmittanceByRays, *pass.rays, pass.group);
-  else if (pass.rays && !target)
+  else if (pass.rays && pass.layers)
     drawLayers(*pass.rays, pass.group);
   else if (pass.rays)
     drawRays(*pass.rays);
-  if (pass.readsLightMap) compareWithMap(target ? Form::LightMap : Form::LayerLightMap, pass.group);
+  if (pass.readsLightMap) compareWithMap(pass.layers ? Form::LayerLightMap : Form::LightMap, pass.group);
   const std::vector<PixelRect> areas = areasAround(pass.pixels, rows_);
   for (const DrawState& state : pass.shades) shade(state, pass.group, areas);
   vkCmdEndRendering(commands_);
@@ -110,7 +110,7 @@ void PassRecorder::useTargets(const Pass& pass) {
   std::vector<gpu::Usage> usages;
   if (pass.depth)
     usages.push_back({targets.texture(pass.depthTarget), DepthAttachment, contentsOf(*pass.depth)});
-  else
+  if (pass.layers)
     for (gpu::Buffer* buffer : view_.layerLists().buffers()) usages.push_back({*buffer, StorageWrite});
   for (const Attachment& color : pass.colors)
     usages.push_back({targets.texture(color.target, slot_), ColorAttachment, contentsOf(color.begin)});

@@ -277,6 +277,7 @@ void addLayers(const DrawList& list, const FrameDesc& frame, LayerBand band, boo
     pass.name = name;
     pass.depth = std::nullopt;
     pass.reads = reads;
+    pass.layers = true;
     pass.band = band;
     passes.push_back(std::move(pass));
   };
@@ -387,8 +388,7 @@ std::vector<DrawState> statesOf(const Pass& pass) {
   append(pass.flatShadows);
   states.insert(states.end(), pass.shades.begin(), pass.shades.end());
   if (pass.drawsLightMap) states.push_back({.form = Form::LightDepth});
-  if (pass.readsLightMap)
-    states.push_back({.form = pass.colors.empty() ? Form::LayerLightMap : Form::LightMap});
+  if (pass.readsLightMap) states.push_back({.form = pass.layers ? Form::LayerLightMap : Form::LightMap});
   return states;
 }
 

@@ -39,10 +39,11 @@ struct Pass {
   std::optional<Begin> depth = Begin::Keep;  ///< of depthTarget; nothing: the pass does not test it
   Target depthTarget = Target::Depth;        ///< as large as the other targets
   std::vector<Target> reads;                 ///< sampled by its fragments
-  bool searches = false;                     ///< its fragments write the view's feedback
-  std::span<const DrawBatch> batches;        ///< drawn in this order
-  std::size_t group = 0;                     ///< of DrawList::groups, where shadows or light are of one
-  std::span<const CasterDraw> casters;       ///< shadows, on what was found; or layers
+  bool layers = false;                  ///< its fragments read or write the lists of what is seen through
+  bool searches = false;                ///< its fragments write the view's feedback
+  std::span<const DrawBatch> batches;   ///< drawn in this order
+  std::size_t group = 0;                ///< of DrawList::groups, where shadows or light are of one
+  std::span<const CasterDraw> casters;  ///< shadows, on what was found; or layers
   std::span<const FlatShadowDraw> flatShadows;
   bool drawsLightMap = false, readsLightMap = false;  ///< of the group
   LayerBand band;
