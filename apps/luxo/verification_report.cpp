@@ -183,9 +183,10 @@ std::string verificationText(const VerificationReport& report, const Scene& scen
                       wrong.total(), wrong.hitMiss, wrong.layer, wrong.point, wrong.light, wrong.color);
   if (report.approximateShadows > 0)
     text += fmt::format(
-        "shadows    {} of the lights has no exact shadow: the light is held against exact ones\n"
+        "shadows    {} of the lights {} no exact shadow: the light is held against exact ones\n"
         "           {} pixels are dark that are lit in truth (extra), {} lit that are dark (missing)\n",
-        report.approximateShadows, wrong.shadowExtra, wrong.shadowMissing);
+        report.approximateShadows, report.approximateShadows == 1 ? "has" : "have", wrong.shadowExtra,
+        wrong.shadowMissing);
   if (const std::ptrdiff_t count = estimatedLights(snapshot); count > 0)
     text += fmt::format(
         "           of {} with a radius and a map it is right within {} of the part of it that {} rays see\n",

@@ -142,14 +142,15 @@ class ShadowLister {
     group_->map = listLightMap(light, casters, receivers_, list_.origin, geometry_.meshes);
   }
 
-  /// Those of a light that may shadow something, and are as asked, by what they are: what rounding leaves of
-  /// a product depends on the order.
+  /// Those of a light that may shadow something, which points do not, and are as asked, by what they are:
+  /// what rounding leaves of a product depends on the order.
   [[nodiscard]] std::vector<const SnapshotNode*> castersOf(const SnapshotLight& light,
                                                            const auto& isAsked) const {
     std::vector<const SnapshotNode*> casters;
     for (const NodeId caster : light.casters)
       if (const SnapshotNode* node = nodeOf(snapshot_, caster);
-          node && !materialOf(*node).invisible() && isAsked(*node) && !behind(light, *node).empty())
+          node && !materialOf(*node).invisible() && isAsked(*node) && !behind(light, *node).empty() &&
+          largestStretch(node->worldFromObject.linear) > 0)
         casters.push_back(node);
     std::ranges::stable_sort(casters, {}, [&](const SnapshotNode* node) {
       const Box& box = node->boundsWorld;
@@ -248,7 +249,7 @@ class ShadowLister {
     const std::optional<PixelRect> area = areaOf(light, node);
     if (!area || !reachesWhatIsSeen(light, node) || addClosed(bit, light, node, *area)) return;
     if (add(bit, light, node, *area)) return;
-    if (!node.surface.triangles()) {
+    if (!node.surface.isPolygonal()) {
       list_.byRays.push_back(*area);
       return;
     }

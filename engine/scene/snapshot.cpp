@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -468,8 +469,10 @@ std::vector<WholeLight> wholeLights(const Snapshot& snapshot) {
 }
 
 std::size_t approximateShadows(const Snapshot& snapshot) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      wholeLights(snapshot), [](const WholeLight& whole) { return whole.light.approximate(); }));
+  std::set<NodeId> lights;  // one may be several points
+  for (const SnapshotLight& light : snapshot.lights)
+    if (light.approximate()) lights.insert(light.id);
+  return lights.size();
 }
 
 Box framingOf(const Snapshot& snapshot) {

@@ -326,6 +326,16 @@ TEST(Snapshot, AMapIsOneLightAndItsTruthAreItsPoints) {
   EXPECT_EQ(exact.lights.size(), 9U);
   EXPECT_EQ(approximateShadows(exact), 0U);
   EXPECT_EQ(withoutShadowMaps(map), exact);
+  // A planar one is its points from the beginning.
+  light.shadow = S::Planar;
+  Lamp planar = lamp(Vec3(1), light);
+  const NodeId plane = planar.scene.add(Node{.translation = Vec3(0, -5, 0), .surface = rectangle(40, 40)});
+  Node bulb = planar.scene[*planar.scene.findNode("bulb")];
+  bulb.light->shadowPlane = plane;
+  planar.scene.set(*planar.scene.findNode("bulb"), bulb);
+  const Snapshot points = snap(planar.scene);
+  EXPECT_EQ(points.lights.size(), 9U);
+  EXPECT_EQ(approximateShadows(points), 1U);
   for (const SnapshotLight& point : exact.lights)
     EXPECT_EQ(point.pointOf, (WidePlace{map.lights[0].positionWorld, 0.1}));
   ASSERT_EQ(wholeLights(exact).size(), 1U);
