@@ -132,8 +132,12 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size, NodeId light)
   SnapshotLight seen = *std::ranges::min_element(snapshot.lights, {}, &SnapshotLight::id);
   if (seen.pointOf) seen.positionWorld = seen.pointOf->middle;
   std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
-    return std::ranges::find(seen.casters, node.id) == seen.casters.end();
+    return std::ranges::find(seen.casters, node.id) == seen.casters.end() ||
+           (seen.map && snapshot.materials[node.material.index].letsLightThrough());
   });
+  if (seen.map && snapshot.nodes.empty())
+    throw Error(ErrorKind::Scene, "all that casts the light's shadow is seen through: its map is empty",
+                "a map has opaque casters only; shadows of what is seen through are exact");
   const Box casters = framingOf(snapshot);
   if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");
   // What no perspective view has room for; a nearer light's depths are distances from it.

@@ -28,10 +28,11 @@ namespace luxo {
                                            const Box& receivers, int size);
 
 /// The scene as a node's light that has a shadow sees it, without one the first of the scene: its casters
-/// alone, in one picture, which of a light amid them shows what is within 63 degrees of their middle, or of a
-/// spot its cone. Depths are distances along the view from a point light, up to 2^30 times the casters' size
-/// away; else from the nearest caster's. Pixels along a side as given; else those of its map, or as many as
-/// fit into the snapshot's picture. Throws Error(Scene) where no light has a shadow, or not that one.
+/// alone, of a map those it has, in one picture, which of a light amid them shows what is within 63 degrees
+/// of their middle, or of a spot its cone. Depths are distances along the view from a point light, up to 2^30
+/// times the casters' size away; else from the nearest caster's. Pixels along a side as given; else those of
+/// its map, or as many as fit into the snapshot's picture. Throws Error(Scene) where no light has a shadow,
+/// or not that one.
 [[nodiscard]] Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size = std::nullopt,
                                      NodeId light = {});
 

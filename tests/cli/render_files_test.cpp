@@ -284,6 +284,24 @@ TEST_F(RenderFiles, DepthsOfALightAreGreyOrMetres) {
   EXPECT_TRUE(contains(render("b.png"), "black, as the light sees nothing"));
 }
 
+/// What is seen through casts an exact shadow beside the map: it is in none.
+TEST_F(RenderFiles, DepthsOfAMapAreThoseOfWhatItHas) {
+  const auto depths = [&](const std::string& others) {
+    writeText(folder / "veiled.luxo.json",
+              R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk", "radius": 1 } },
+    "materials": { "veil": { "opacity": 0.5 } },
+    "nodes": [ { "surface": "disc", "material": "veil", "translate": [0, 4, 0] }, )" +
+                  others + R"({ "translate": [0, 6, 0], "light": { "shadow": "map" } } ] })");
+    return run(folder,
+               {"render", "veiled.luxo.json", "--aov", "light-depth", "--size", "33x33", "-o", "a.pfm"});
+  };
+  EXPECT_EQ(depths(R"({ "surface": "disc", "translate": [0, 2, 0] }, )").code, 0);
+  EXPECT_NEAR(pictureOfPfm(textOf(folder / "a.pfm")).row(16)[16], 4, 1e-5);
+  const Outcome empty = depths("");
+  EXPECT_EQ(empty.code, 3);
+  EXPECT_TRUE(contains(empty.err, "its map is empty")) << empty.err;
+}
+
 /// By the name of its node, or by its place where it has none; without one that of the first in the file.
 TEST_F(RenderFiles, DepthsOfEveryLightCanBeAskedFor) {
   writeText(folder / "three.luxo.json",
