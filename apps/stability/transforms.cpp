@@ -112,13 +112,13 @@ NormalErrors normalsOf(StressContext& context, const Surface& surface, const Tru
 }
 
 std::vector<Measurement> unevenScale(StressContext& context) {
-  constexpr double kMost = 1e-5;
+  constexpr double kMaxError = 1e-5;
   const int count = context.of(1000000, 100000);
   std::vector<Measurement> result = {
-      atMost("normals by the matrix in double", largestNormalError<double>(count), kMost, "rad"),
-      atMost("normals by the matrix in float", largestNormalError<float>(count), kMost, "rad")};
+      atMost("normals by the matrix in double", largestNormalError<double>(count), kMaxError, "rad"),
+      atMost("normals by the matrix in float", largestNormalError<float>(count), kMaxError, "rad")};
   const auto add = [&](const std::string& what, const NormalErrors& errors) {
-    result.push_back(atMost("normals of " + what, errors.largest, kMost, "rad"));
+    result.push_back(atMost("normals of " + what, errors.largest, kMaxError, "rad"));
     result.push_back(atMost("points of " + what + " from their pixels", errors.farthest, 0.01, "px"));
     result.push_back(none("samples of " + what + " that are not finite", errors.notFinite, "samples"));
     result.push_back(atLeast("pixels of " + what, errors.pixels, context.of(20000, 1000), "pixels"));

@@ -98,9 +98,9 @@ Excerpt excerpt(std::string_view text, SourceRange where) {
 
 // A message, or the beginning of one that quotes too much.
 std::string said(const std::string& message) {
-  constexpr std::size_t kMost = 2000;
-  if (message.size() <= kMost) return showable(message);
-  return showable(message.substr(0, startOfCharacter(message, kMost))) + std::string(kCut);
+  constexpr std::size_t kMaxLength = 2000;
+  if (message.size() <= kMaxLength) return showable(message);
+  return showable(message.substr(0, startOfCharacter(message, kMaxLength))) + std::string(kCut);
 }
 
 }  // namespace

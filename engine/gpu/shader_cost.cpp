@@ -14,11 +14,11 @@
 namespace luxo::gpu {
 namespace {
 
-constexpr std::uint64_t kMost = 1'000'000'000'000'000;
+constexpr std::uint64_t kMax = 1'000'000'000'000'000;
 
-std::uint64_t product(std::uint64_t a, std::uint64_t b) { return a != 0 && b > kMost / a ? kMost : a * b; }
+std::uint64_t product(std::uint64_t a, std::uint64_t b) { return a != 0 && b > kMax / a ? kMax : a * b; }
 
-std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return std::min(a + b, kMost); }
+std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return std::min(a + b, kMax); }
 
 class Costs {
  public:

@@ -79,7 +79,8 @@ std::vector<std::string> strings(std::span<const std::string_view> names) {
 SceneMembers::SceneMembers(const JsonValue& object, const SceneKeys& kind, SceneProblems& problems,
                            std::span<const std::string> more)
     : kind_(kind) {
-  static_assert(std::ranges::all_of(keys::kAll, [](const SceneKeys& k) { return k.keys.size() <= kMost; }));
+  static_assert(
+      std::ranges::all_of(keys::kAll, [](const SceneKeys& k) { return k.keys.size() <= kMaxKeys; }));
   if (object.kind() != JsonKind::Object) {
     problems.add(object.where(),
                  fmt::format("expected {}: an object, found {}", kind.what, object.kindName()));

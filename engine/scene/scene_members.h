@@ -31,10 +31,10 @@ class SceneMembers {
   [[nodiscard]] JsonValue operator[](std::string_view name) const;
 
  private:
-  static constexpr std::size_t kMost = 20;
+  static constexpr std::size_t kMaxKeys = 20;
 
   const SceneKeys& kind_;
-  std::array<JsonValue, kMost> values_{};
+  std::array<JsonValue, kMaxKeys> values_{};
   bool complete_ = true;
 };
 

@@ -11,7 +11,7 @@
 namespace luxo {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity(), kMost = std::numeric_limits<float>::max(),
+constexpr float kInf = std::numeric_limits<float>::infinity(), kMax = std::numeric_limits<float>::max(),
                 kNan = std::numeric_limits<float>::quiet_NaN();
 
 MeasuredPixels measured(const std::vector<std::array<float, 4>>& row) {
@@ -28,7 +28,7 @@ TEST(MeasuredPixels, NumbersTellNothing) {
 
 /// Devices whose blending knows no infinity make the largest number of it.
 TEST(MeasuredPixels, InfinitiesTellWhatAShaderDid) {
-  for (const float most : {kInf, kMost}) {
+  for (const float most : {kInf, kMax}) {
     const MeasuredPixels row = measured({{most, most, most, 0},
                                          {0.5, 0.5, 0.5, 0},
                                          {-most, -most, -most, 0},
@@ -50,7 +50,7 @@ TEST(MeasuredPixels, OtherValuesThatAreNoNumbersAreCountedOnly) {
 }
 
 TEST(MeasuredPixels, NobodyOverlooksThem) {
-  std::vector<float> row{0.5, 0.5, 0.5, kMost, 0, 0, 0, kNan, 0, 0, 0, -kInf};
+  std::vector<float> row{0.5, 0.5, 0.5, kMax, 0, 0, 0, kNan, 0, 0, 0, -kInf};
   showInMagenta(row);
   EXPECT_EQ(row, (std::vector<float>{0.5, 0.5, 0.5, 1, 0, 1, 1, 0, 1, 1, 0, 1}));
 }

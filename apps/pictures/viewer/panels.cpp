@@ -39,10 +39,10 @@ std::string speedText(const FrameMeter::Reading& reading) {
 
 /// As many as a panel has room for, those that take most first; the rest is one.
 std::vector<Panel::Row> passRows(std::vector<PassTime> passes) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMaxShown = 5;
   std::ranges::stable_sort(passes, std::ranges::greater{}, &PassTime::milliseconds);
-  for (; passes.size() > kMost; passes.pop_back())
-    passes[kMost - 1] = {"the rest", passes[kMost - 1].milliseconds + passes.back().milliseconds};
+  for (; passes.size() > kMaxShown; passes.pop_back())
+    passes[kMaxShown - 1] = {"the rest", passes[kMaxShown - 1].milliseconds + passes.back().milliseconds};
   std::vector<Panel::Row> rows;
   for (const PassTime& pass : passes)
     rows.push_back(
