@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must happen between two uses of a resource: the state tracker from which every barrier comes. Pure.
-// Synchronization validation (1.3.239) does not see dynamic-rendering attachments, so this is what keeps them
-// right.
+// What must happen between two uses of a resource: the state tracker from which every barrier comes, but for
+// those around a batch of uploads (transfer.cpp), which are of all memory. Pure. Synchronization validation
+// (1.3.239) does not see dynamic-rendering attachments, so this is what keeps them right.
 #pragma once
 
 #include "gpu/vk.h"
@@ -21,9 +21,6 @@ enum class Use {
   SampledFragment,      ///< a texture in the fragment shader
   VertexBuffer,
   IndexBuffer,
-  IndirectBuffer,
-  UniformRead,
-  StorageRead,
   StorageWrite,    ///< read, written or counted in, by the fragment shader
   ComputeStorage,  ///< read and written by a compute shader
   HostRead,        ///< mapped memory, read by the host once the submission is complete

@@ -19,11 +19,10 @@ int numberOf(Use use) { return static_cast<int>(use); }
 std::vector<Use> usesOf(ResourceKind kind) {
   using enum Use;
   if (kind == ResourceKind::Buffer) {
-    return {TransferSource, TransferDestination, VertexBuffer, IndexBuffer, IndirectBuffer,
-            UniformRead,    StorageRead,         StorageWrite, HostRead};
+    return {TransferSource, TransferDestination, VertexBuffer, IndexBuffer, StorageWrite, HostRead};
   }
-  return {ColorAttachment, ResolveTarget, DepthAttachment, TransferSource, TransferDestination,
-          SampledFragment, StorageRead,   StorageWrite,    Present};
+  return {ColorAttachment,     ResolveTarget,   DepthAttachment, TransferSource,
+          TransferDestination, SampledFragment, StorageWrite,    Present};
 }
 
 constexpr VkAccessFlags2 kWrites = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
