@@ -42,7 +42,7 @@ bool isLitMesh(Shading shading) {
 
 bool isOnlyNear(const Snapshot& snapshot, const SnapshotNode& node, const DrawOptions& options) {
   const Shading shading = snapshot.materials[node.material.index].shadingIn(options.shading);
-  return isLitMesh(shading) && !node.surface.isPolygonal() && !node.surface.flatNormal();
+  return isLitMesh(shading) && !node.surface.liesOnItsMesh();
 }
 
 void listPlaces(const Snapshot& snapshot, const VisibleList& visible, const DrawOptions& options,

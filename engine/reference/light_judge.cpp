@@ -40,7 +40,7 @@ LightVerdict LightJudge::of(std::uint32_t i, double off) const {
 std::pair<std::optional<Hit>, Vec2> LightJudge::litPoint(std::uint32_t i, std::uint32_t node) const {
   const Vec2 center = centerOf(i);
   const Ray ray = caster_.rayThrough(center.x, center.y);
-  if (surfaceOf(node).isPolygonal() || surfaceOf(node).flatNormal()) {
+  if (surfaceOf(node).liesOnItsMesh()) {
     const Caster::Sight sight = caster_.look(ray);
     const Hit* first = caster_.firstShown(sight);
     if (!seesLayerOf(i, first, center)) return {};
@@ -143,8 +143,8 @@ std::optional<double> LightJudge::reachOfColors(const Caster::Sight& sight) cons
   double reach = kSilhouettePx;
   for (const Hit& hit : sight.hits) {
     const Shading shading = shadingOf(hit.node);
-    const bool isOn = surfaceOf(hit.node).isPolygonal() || surfaceOf(hit.node).flatNormal();
-    if (shading == Shading::Exact || (shading == Shading::Phong && isOn)) continue;
+    if (shading == Shading::Exact || (shading == Shading::Phong && surfaceOf(hit.node).liesOnItsMesh()))
+      continue;
     if (shading != Shading::Toon || !std::isfinite(options_.boundPx)) return std::nullopt;
     reach = std::max(reach, options_.boundPx);
   }

@@ -117,6 +117,8 @@ class Surface {
   /// the shading, with their vertices' tangents, and vertex programs move them. Else a mesh is only near to
   /// it, and exact shading searches for its points, inside a shell: so far of what is parametric alone.
   [[nodiscard]] bool isPolygonal() const { return triangles() != nullptr; }
+  /// Whether a mesh of it shows its own points: of triangles, and of what lies in one plane.
+  [[nodiscard]] bool liesOnItsMesh() const { return isPolygonal() || flatNormal(); }
   /// Those of what is polygonal (surface/surface_triangles.h); else null.
   [[nodiscard]] const SurfaceTriangles* triangles() const;
   [[nodiscard]] const std::vector<Patch>& patches() const;
