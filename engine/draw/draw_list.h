@@ -238,9 +238,6 @@ struct DrawList {
   [[nodiscard]] bool hasLightMaps() const {
     return std::ranges::any_of(groups, [](const LightGroup& group) { return group.map.has_value(); });
   }
-  [[nodiscard]] bool findsTransmittances() const {
-    return std::ranges::any_of(groups, &LightGroup::transmits);
-  }
   /// More lights than the first add light, which is no drawing's, to meshes that are drawn again.
   [[nodiscard]] bool addsLight() const;
   /// Nothing is drawn over what is found.

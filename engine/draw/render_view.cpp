@@ -303,18 +303,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
   if (!list_.patternParameters.empty())
     bindings.pattern = frames.descriptors().write(pipelines.layout(SceneSet::Pattern),
                                                   {uploads_.patternParameters.use(*context_)});
-  if (!list_.textures.empty() && !list_.patternParameters.empty()) {
-    const VkBufferView all = texels.get(list_.textures);
-    const gpu::Buffer& parameters = uploads_.patternParameters.use(*context_);
-    bindings.texture = frames.descriptors().write(pipelines.layout(SceneSet::Texture), {parameters, all});
-    if (list_.findsFootprints) {
-      gpu::Texture& footprints = targets_.texture(Target::FoundFootprint);
-      gpu::Texture& frame = list_.findsFrames ? targets_.texture(Target::FoundFrame) : footprints;
-      bindings.foundTexture = frames.descriptors().write(
-          pipelines.layout(SceneSet::FoundTexture),
-          {parameters, all, {footprints, pipelines.texelSampler()}, {frame, pipelines.texelSampler()}});
-    }
-  }
+  if (!list_.textures.empty() && !list_.patternParameters.empty())
+    bindTextures(frames, pipelines, texels.get(list_.textures), bindings);
   if (!list_.clusterIndices.empty()) bindings.clusterIndices = uploads_.clusterIndices.use(*context_);
   if (list_.exact()) {
     bindings.exact = frames.descriptors().write(
@@ -323,34 +313,8 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
          uploads_.exactParameters.use(*context_), feedback_.doubtful()});
     if (!list_.shellIndices.empty()) bindings.shellIndices = uploads_.shellIndices.use(*context_);
   }
-  if (list_.deferred) {
-    gpu::Texture& found = targets_.texture(Target::Found);
-    gpu::Texture& places = list_.findsShadows() ? targets_.texture(Target::Places) : found;
-    gpu::Texture& openness = list_.occludes ? targets_.texture(Target::Openness) : found;
-    gpu::Texture& moreLight = list_.addsLight() ? targets_.texture(Target::MoreLight) : found;
-    gpu::Texture& parameters =
-        list_.findsParameters || list_.findsPlaces ? targets_.texture(Target::FoundParameters) : found;
-    constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
-    const gpu::Buffer& noTraces = uploads_.materials.use(*context_);  // something to bind
-    for (std::size_t i = 0; i < list_.groups.size(); ++i) {
-      const LightGroup& group = list_.groups[i];
-      const std::size_t slot = list_.shadowSlot(i);
-      gpu::Texture& shadows = list_.asksForShadows(group) ? targets_.texture(Target::Shadows, slot) : found;
-      gpu::Texture& transmittance = group.transmits ? targets_.texture(Target::Transmittance, slot) : found;
-      bindings.found.push_back(frames.descriptors().write(
-          pipelines.layout(SceneSet::Found), {{found, pipelines.texelSampler()},
-                                              {parameters, pipelines.texelSampler()},
-                                              {uploads_.materials.use(*context_), 0, kUniformBytes},
-                                              {shadows, pipelines.texelSampler()},
-                                              {transmittance, pipelines.texelSampler()},
-                                              {places, pipelines.texelSampler()},
-                                              {openness, pipelines.texelSampler()},
-                                              list_.traces ? traces_.questions() : noTraces,
-                                              list_.traces ? traces_.starts() : noTraces,
-                                              list_.traces ? traces_.answers() : noTraces,
-                                              {moreLight, pipelines.texelSampler()}}));
-    }
-  }
+  for (std::size_t i = 0; list_.deferred && i < list_.groups.size(); ++i)
+    bindings.found.push_back(bindFound(frames, pipelines, i));
   if (list_.looksForCasters()) bindings.shadow = bindCasters(frames, pipelines, texels.get(list_.textures));
   for (std::size_t slot = 0; list_.layers.any() && slot < list_.shadowSlotCount(); ++slot)
     bindings.layers.push_back(bindLayers(frames, pipelines, slot));
@@ -361,6 +325,43 @@ RenderView::Bindings RenderView::bind(gpu::FrameRing& frames, ScenePipelines& pi
     bindings.rayLayers = rayLayers_.use(*context_);
   }
   return bindings;
+}
+
+void RenderView::bindTextures(gpu::FrameRing& frames, ScenePipelines& pipelines, VkBufferView texels,
+                              Bindings& bindings) {
+  const gpu::Buffer& parameters = uploads_.patternParameters.use(*context_);
+  bindings.texture = frames.descriptors().write(pipelines.layout(SceneSet::Texture), {parameters, texels});
+  if (!list_.findsFootprints) return;
+  gpu::Texture& footprints = targets_.texture(Target::FoundFootprint);
+  gpu::Texture& frame = list_.findsFrames ? targets_.texture(Target::FoundFrame) : footprints;
+  bindings.foundTexture = frames.descriptors().write(
+      pipelines.layout(SceneSet::FoundTexture),
+      {parameters, texels, {footprints, pipelines.texelSampler()}, {frame, pipelines.texelSampler()}});
+}
+
+/// Where the group's light does not ask for something, there is what was found, to have something to bind.
+VkDescriptorSet RenderView::bindFound(gpu::FrameRing& frames, ScenePipelines& pipelines, std::size_t index) {
+  constexpr VkDeviceSize kUniformBytes = shared::kUniformMaterials * sizeof(shared::MaterialData);
+  const LightGroup& group = list_.groups[index];
+  const auto textureOf = [&](bool isThere, Target target, std::size_t slot = 0) -> gpu::Texture& {
+    return isThere ? targets_.texture(target, slot) : targets_.texture(Target::Found);
+  };
+  const std::size_t slot = list_.shadowSlot(index);
+  const VkSampler sampler = pipelines.texelSampler();
+  const gpu::Buffer& noTraces = uploads_.materials.use(*context_);
+  return frames.descriptors().write(
+      pipelines.layout(SceneSet::Found),
+      {{targets_.texture(Target::Found), sampler},
+       {textureOf(list_.findsParameters || list_.findsPlaces, Target::FoundParameters), sampler},
+       {uploads_.materials.use(*context_), 0, kUniformBytes},
+       {textureOf(list_.asksForShadows(group), Target::Shadows, slot), sampler},
+       {textureOf(group.transmits, Target::Transmittance, slot), sampler},
+       {textureOf(list_.findsShadows(), Target::Places), sampler},
+       {textureOf(list_.occludes, Target::Openness), sampler},
+       list_.traces ? traces_.questions() : noTraces,
+       list_.traces ? traces_.starts() : noTraces,
+       list_.traces ? traces_.answers() : noTraces,
+       {textureOf(list_.addsLight(), Target::MoreLight), sampler}});
 }
 
 VkDescriptorSet RenderView::bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,

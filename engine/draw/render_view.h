@@ -122,6 +122,10 @@ class RenderView {
   void addMeshPoints(std::vector<Doubt>& doubts);
   void upload(bool always);
   void uploadCasters(bool always);
+  void bindTextures(gpu::FrameRing& frames, ScenePipelines& pipelines, VkBufferView texels,
+                    Bindings& bindings);
+  [[nodiscard]] VkDescriptorSet bindFound(gpu::FrameRing& frames, ScenePipelines& pipelines,
+                                          std::size_t index);
   [[nodiscard]] VkDescriptorSet bindCasters(gpu::FrameRing& frames, ScenePipelines& pipelines,
                                             VkBufferView texels);
   [[nodiscard]] VkDescriptorSet bindLayers(gpu::FrameRing& frames, ScenePipelines& pipelines,
