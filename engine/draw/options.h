@@ -12,7 +12,8 @@ namespace luxo {
 /// Certificate: how the point shown is known: 1 by a search that certified it, 2 by a ray cast in double that
 /// proves it to be the nearest, 3 neither, or by a ray that does not; 0 where nothing is shown.
 /// Outputs of the geometry are of the nearest point that is in no hole (kLeastShown), seen through or not;
-/// certificates are 3 where any layer that is seen through is not proven, and else of what is behind all.
+/// certificates are of the worst of all layers, however little is seen of them; where these are certain, of
+/// what is behind all, if there is something.
 enum class Output { Color, Depth, Position, Normal, Uv, Id, Residual, Certificate };
 
 /// Whether what is behind others can be seen in their holes alone (Material::hasHoles).
@@ -32,7 +33,7 @@ struct Audit {
 /// How points get their light: each fragment finds its point and lights it; or points are found first, and
 /// those that are seen lit once each. Both give the same picture, to rounding. Auto: fused, which was faster
 /// in all but one of the scenes measured on a CPU device, with 1 to 32 lights and 1 to 8 layers (deferred
-/// 0.96 to 2.1 times as long; `luxo bench` has it in its table). Deferred is for what has to know all points
+/// 0.96 to 3.0 times as long; `luxo bench` has it in its table). Deferred is for what has to know all points
 /// before the light.
 enum class Composition { Auto, Fused, Deferred };
 

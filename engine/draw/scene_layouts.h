@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The descriptor sets that the scene's shaders read: which buffers and textures, by the numbers of
-// shared/bindings.h.
+// shared/bindings.h. They are written down here, not made by reflection: sets of one number differ between
+// kinds of passes, and which offsets are dynamic no shader says. That shaders find all they read in them is
+// checked by reflection (gpu/pipeline.h).
 #pragma once
 
 #include <array>
