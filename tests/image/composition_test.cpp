@@ -83,12 +83,16 @@ class CompositionTest : public PictureTest {
 };
 
 TEST_F(CompositionTest, OfEveryBuiltInScene) {
+  int compared = 0;
   for (const EmbeddedScene& embedded : embeddedScenes()) {
     SCOPED_TRACE(embedded.name);
     const Scene scene = sceneOf(embedded.text);
     const Snapshot snapshot = takeSnapshot(scene, scene.settings().time, {200, 150});
-    if (!hasLayers(snapshot, {})) expectTheSame(snapshot);
+    if (hasLayers(snapshot, {})) continue;
+    expectTheSame(snapshot);
+    ++compared;
   }
+  EXPECT_GE(compared, 8);
 }
 
 TEST_F(CompositionTest, OfEverySceneOfTheGallery) {

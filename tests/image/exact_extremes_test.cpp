@@ -265,10 +265,7 @@ TEST_F(ExactExtremes, ScalesThatUndoAFormulaThatOpensInTime) {
   };
   for (const double time : {0.0, 0.7}) {
     const Image round = shown(Vec3(1), time), uneven = shown(Vec3(1e-6, 1, 1), time);
-    int different = 0;
-    for (int y = 0; y < kExactExtremesSize.height; ++y)
-      for (int x = 0; x < kExactExtremesSize.width; ++x)
-        different += !near(colorAt(uneven, x, y), colorAt(round, x, y), 2e-4);
+    const int different = differingPixels(uneven, round, 2e-4);
     EXPECT_LE(different, 4) << "at " << time;  // on the outline
   }
 }

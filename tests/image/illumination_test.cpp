@@ -206,6 +206,7 @@ TEST_F(Illumination, LightsAddUp) {
   const Image onlyA = draw(ball(d16(), std::array{a}), kBall).image;
   const Image onlyB = draw(ball(d16(), std::array{b}), kBall).image;
   const Image both = draw(ball(d16(), std::array{a, b}), kBall).image;
+  EXPECT_GT(std::min(largestDifference(onlyA, none), largestDifference(onlyB, none)), 0.1);
   for (int y = 0; y < kBall.height; ++y)
     for (int x = 0; x < kBall.width; ++x)
       ASSERT_TRUE(

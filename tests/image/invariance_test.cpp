@@ -132,10 +132,7 @@ TEST_P(InvarianceOf, NoSkipChangesABit) {
           DrawOptions options = all;
           options.skips.*skip = false;
           const Image image = draw(subject.scene, kInvarianceSize, options, subject.time).image;
-          int changed = 0;
-          for (int y = 0; y < kInvarianceSize.height; ++y)
-            for (int x = 0; x < kInvarianceSize.width; ++x)
-              changed += !near(colorAt(image, x, y), colorAt(expected, x, y), 1e-5);
+          const int changed = differingPixels(image, expected, 1e-5);
           EXPECT_LE(changed, skip == &Skips::backface ? 2 : 0)
               << subject.name << ", " << samples << " samples";
         }
@@ -187,9 +184,7 @@ TEST_F(Invariance, WhatIsHiddenIsHiddenFromAnywhere) {
       const Image seen = draw(scene, camera, {400, 300}, options).image;
       options.skips.hidden = false;
       const Image expected = draw(scene, camera, {400, 300}, options).image;
-      int changed = 0;
-      for (int y = 0; y < 300; ++y)
-        for (int x = 0; x < 400; ++x) changed += !near(colorAt(seen, x, y), colorAt(expected, x, y), 1e-3);
+      const int changed = differingPixels(seen, expected, 1e-3);
       EXPECT_EQ(changed, 0) << name << ", camera " << i;
     }
   }

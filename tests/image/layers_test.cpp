@@ -421,10 +421,7 @@ TEST_F(LayersTest, MeshesShowTheSameLayers) {
                               node("torus", "red", R"(, "rotate": { "axis": [1, 0, 0], "angle": 1.2 })"));
   const Image exact = draw(scene, kLayersSize).image;
   const Image mesh = draw(scene, kLayersSize, {.shading = Shading::Phong, .tolerancePx = 0.05}).image;
-  int different = 0;
-  for (int y = 0; y < kLayersSize.height; ++y)
-    for (int x = 0; x < kLayersSize.width; ++x)
-      different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.03);
+  const int different = differingPixels(exact, mesh, 0.03);
   // Outlines, about 1,000 px long, move by up to 0.05 px.
   EXPECT_LT(different, 120);
 }

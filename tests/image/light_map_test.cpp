@@ -304,10 +304,7 @@ TEST_F(LightMapTest, FallsOnLayers) {
   const Snapshot snapshot = takeSnapshot(scene(R"({ "size": 2048, "slope_bias": 1.5 })"), 0, kLightMapSize);
   const Image map = renderer().render(snapshot).image,
               exact = renderer().render(withExactShadows(snapshot)).image;
-  int different = 0;
-  for (int y = 0; y < kLightMapSize.height; ++y)
-    for (int x = 0; x < kLightMapSize.width; ++x)
-      different += !near(colorAt(map, x, y), colorAt(exact, x, y), 0.01);
+  const int different = differingPixels(map, exact, 0.01);
   EXPECT_LT(different, 250);
 }
 

@@ -41,13 +41,6 @@ Scene sceneOf(const std::string& material, const std::string& surface, const std
   return buildScene(file);
 }
 
-int different(const Image& a, const Image& b) {
-  int count = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) count += !near(colorAt(a, x, y), colorAt(b, x, y), 1e-3);
-  return count;
-}
-
 using ShaderCurvature = PictureTest;
 
 /// As formulas of a material have it, of surfaces that move with a parameter, too; also where it is seen
@@ -70,7 +63,9 @@ vec4 material(Point p) { return vec4(0.5 + 0.4 * tanh(p.K), 0.5 + 0.4 * tanh(p.H
       EXPECT_LE(largestDifference(draw(own, kShaderCurvatureSize, {.shading = shading}).image, wanted), 1e-5);
     }
     // At the seam of the bottle, which has one side, its ends have opposite normals.
-    EXPECT_LE(different(draw(veil, kShaderCurvatureSize).image, draw(plain, kShaderCurvatureSize).image), 5);
+    EXPECT_LE(differingPixels(draw(veil, kShaderCurvatureSize).image, draw(plain, kShaderCurvatureSize).image,
+                              1e-3),
+              5);
   }
 }
 

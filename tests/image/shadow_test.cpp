@@ -319,10 +319,7 @@ TEST_F(ShadowTest, FallOnMeshesAsOnSurfaces) {
   const Image exact = draw(scene, kShadowSize).image;
   for (const Shading shading : {Shading::Phong, Shading::Flat}) {
     const Image mesh = draw(scene, kShadowSize, {.shading = shading, .tolerancePx = 0.05}).image;
-    int different = 0;
-    for (int y = 0; y < kShadowSize.height; ++y)
-      for (int x = 0; x < kShadowSize.width; ++x)
-        different += !near(colorAt(exact, x, y), colorAt(mesh, x, y), 0.05);
+    const int different = differingPixels(exact, mesh, 0.05);
     // Outlines and borders of shadows, of which there are some 3,000 pixels' length.
     EXPECT_LT(different, 150) << nameOf(shading);
   }

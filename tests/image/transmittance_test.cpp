@@ -177,10 +177,7 @@ TEST_F(TransmittanceTest, IsSettledByRaysOnMeshes) {
         settled += picture.statistics.error.resolvedByRaysPx;
         if (nodes != kGlassCards || shading == Shading::Toon || shading == Shading::Gouraud) continue;
         const Image truth = castPicture(snapshot, {.shading = shading}).color;
-        int different = 0;
-        for (int y = 0; y < kTransmittanceSize.height; ++y)
-          for (int x = 0; x < kTransmittanceSize.width; ++x)
-            different += !near(colorAt(picture.image, x, y), colorAt(truth, x, y), 1e-3);
+        const int different = differingPixels(picture.image, truth, 1e-3);
         EXPECT_LE(different, 4);
       }
     }

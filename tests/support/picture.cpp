@@ -119,7 +119,21 @@ Vec3 colorAt(const Image& image, int x, int y) {
                                        << ", " << b.y << ", " << b.z << ") to " << tolerance;
 }
 
-::testing::AssertionResult sameBytes(const Image& a, const Image& b) {
+namespace {
+
+void requireShown(const Image& image, Shown shown) {
+  if (shown == Shown::MaybeNothing) return;
+  const auto first = image.pixel(0, 0);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (std::memcmp(image.pixel(x, y).data(), first.data(), first.size_bytes()) != 0) return;
+  ADD_FAILURE() << "nothing is shown in " << image.width() << "x" << image.height() << " pixels";
+}
+
+}  // namespace
+
+::testing::AssertionResult sameBytes(const Image& a, const Image& b, Shown shown) {
+  requireShown(a, shown);
   if (a.width() != b.width() || a.height() != b.height() || a.channels() != b.channels())
     return ::testing::AssertionFailure() << "different shapes";
   if (std::memcmp(a.samples().data(), b.samples().data(), a.samples().size_bytes()) == 0)
@@ -137,7 +151,8 @@ Vec3 colorAt(const Image& image, int x, int y) {
          << p.y << ", " << p.z << ") and (" << q.x << ", " << q.y << ", " << q.z << ")";
 }
 
-double largestDifference(const Image& a, const Image& b) {
+double largestDifference(const Image& a, const Image& b, Shown shown) {
+  requireShown(a, shown);
   double largest = 0;
   for (std::size_t i = 0; i < a.samples().size(); ++i)
     largest = std::max(largest, std::abs(double(a.samples()[i]) - double(b.samples()[i])));
@@ -148,6 +163,14 @@ double largestDifference(const Image& a, const Image& b) {
   const double largest = largestDifference(a, b);
   if (largest <= most) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << "differs by " << largest << ", more than " << most;
+}
+
+int differingPixels(const Image& a, const Image& b, double tolerance) {
+  requireShown(a, Shown::Something);
+  int differing = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) differing += !near(colorAt(a, x, y), colorAt(b, x, y), tolerance);
+  return differing;
 }
 
 ::testing::AssertionResult allFinite(const Image& image) {

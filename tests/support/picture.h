@@ -90,10 +90,16 @@ NodeId addLight(Scene& scene, const Shine& shine);
 
 [[nodiscard]] Vec3 colorAt(const Image& image, int x, int y);
 [[nodiscard]] ::testing::AssertionResult near(const Vec3& a, const Vec3& b, double tolerance);
-[[nodiscard]] ::testing::AssertionResult sameBytes(const Image& a, const Image& b);
+/// Two pictures that show nothing are the same, whatever should be there: comparing them is a failure, unless
+/// that is what is asked.
+enum class Shown { Something, MaybeNothing };
+[[nodiscard]] ::testing::AssertionResult sameBytes(const Image& a, const Image& b,
+                                                   Shown shown = Shown::Something);
 /// Of the numbers of two images of one size.
-[[nodiscard]] double largestDifference(const Image& a, const Image& b);
+[[nodiscard]] double largestDifference(const Image& a, const Image& b, Shown shown = Shown::Something);
 [[nodiscard]] ::testing::AssertionResult nearEverywhere(const Image& a, const Image& b, double most);
+/// How many pixels are not near(); of two images of one size.
+[[nodiscard]] int differingPixels(const Image& a, const Image& b, double tolerance);
 [[nodiscard]] ::testing::AssertionResult allFinite(const Image& image);
 [[nodiscard]] Image flippedLeftRight(const Image& image);
 
