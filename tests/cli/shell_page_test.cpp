@@ -34,9 +34,7 @@ class ShellPage : public testing::Test {
     EXPECT_TRUE(contains(page_, words)) << "engine/shell/README.md does not say: " << words;
   }
 
-  /// From tests/cli, where the validator's script is.
-  const std::filesystem::path shell_ =
-      std::filesystem::path(LUXO_VALIDATE_GLTF).parent_path() / "../../engine/shell";
+  const std::filesystem::path shell_ = std::filesystem::path(LUXO_SOURCE_DIR) / "engine/shell";
   const std::string page_ = std::regex_replace(textOf(shell_ / "README.md"), std::regex("\n"), " ");
   ScratchFolder folder_;
 };

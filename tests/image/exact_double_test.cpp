@@ -10,7 +10,7 @@ namespace luxo::test {
 namespace {
 
 constexpr PixelSize kExactDoubleSize{64, 64};
-constexpr double kRadius = 0.7;  // no float
+constexpr double kBallRadius = 0.7;  // no float
 
 class ExactDouble : public PictureTest {
  protected:
@@ -33,17 +33,17 @@ Camera telescope(const Vec3& target, double height) {
 Scene ball(Material material) {
   Scene scene;
   scene.set(plainSettings());
-  scene.add(
-      Node{.translation = kCenter, .surface = sphere(kRadius), .material = scene.add(std::move(material))});
+  scene.add(Node{
+      .translation = kCenter, .surface = sphere(kBallRadius), .material = scene.add(std::move(material))});
   return scene;
 }
 
 /// A point of the ball's outline.
 Vec3 onOutline() {
   const Vec3 toEye = kEye - kCenter;
-  const double distance = glm::length(toEye), cosine = kRadius / distance;
+  const double distance = glm::length(toEye), cosine = kBallRadius / distance;
   const Vec3 axis = toEye / distance, across = unit(glm::cross(axis, Vec3(1, 2, 3)));
-  return kCenter + kRadius * (cosine * axis + std::sqrt(1 - cosine * cosine) * across);
+  return kCenter + kBallRadius * (cosine * axis + std::sqrt(1 - cosine * cosine) * across);
 }
 
 TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
@@ -53,7 +53,7 @@ TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
     const Camera camera = telescope(onOutline(), height);
     const CameraModel model(camera, kExactDoubleSize);
     const auto inside = [&](const Vec2& pixel) {
-      return hitSphere(model.through(pixel), kCenter, kRadius).has_value();
+      return hitSphere(model.through(pixel), kCenter, kBallRadius).has_value();
     };
     const Picture picture = draw(scene, camera, kExactDoubleSize);
     int covered = 0;
@@ -75,13 +75,13 @@ TEST_F(ExactDouble, OutlinesAreSharpHoweverNear) {
 
 // What is read back is float: two roundings of 2^-24.
 TEST_F(ExactDouble, DepthsAreRight) {
-  const Vec3 target = kCenter + kRadius * unit(Vec3(0.3, 0.2, 1));
+  const Vec3 target = kCenter + kBallRadius * unit(Vec3(0.3, 0.2, 1));
   const Camera camera = telescope(target, 1e-4);
   const CameraModel model(camera, kExactDoubleSize);
   const Image depth = draw(ball(glowing(Vec3(1))), camera, kExactDoubleSize, {.output = Output::Depth}).image;
   for (int y = 0; y < kExactDoubleSize.height; ++y)
     for (int x = 0; x < kExactDoubleSize.width; ++x) {
-      const double truth = hitSphere(model.through(centerOf(x, y)), kCenter, kRadius)->first;
+      const double truth = hitSphere(model.through(centerOf(x, y)), kCenter, kBallRadius)->first;
       ASSERT_NEAR(depth.pixel(x, y)[0], truth, 2 * 0x1p-24 * truth) << x << ", " << y;
     }
 }
@@ -89,7 +89,7 @@ TEST_F(ExactDouble, DepthsAreRight) {
 TEST_F(ExactDouble, PatternsAreShown) {
   const Pattern shown = pattern([](auto u, auto v) { return point(0.1 * u, 0.3 * v + 0.5, 0.5); });
   const Scene scene = ball({.specular = Vec3(0), .diffusePattern = shown});
-  const Camera camera = telescope(kCenter + kRadius * unit(Vec3(0.3, 0.2, 1)), 1e-4);
+  const Camera camera = telescope(kCenter + kBallRadius * unit(Vec3(0.3, 0.2, 1)), 1e-4);
   const Image color = draw(scene, camera, kExactDoubleSize).image;
   const Image uv = draw(scene, camera, kExactDoubleSize, {.output = Output::Uv}).image;
   for (int y = 0; y < kExactDoubleSize.height; ++y)
@@ -105,7 +105,7 @@ TEST_F(ExactDouble, PatternsAreShown) {
 TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
   Scene scene;
   scene.set(plainSettings());
-  const double half = 0.5 * kRadius;
+  const double half = 0.5 * kBallRadius;
   scene.add(Node{.translation = kCenter,
                  .surface = rectangle(2 * half, 2 * half),
                  .material = scene.add(glowing(Vec3(0, 1, 0)))});
@@ -141,7 +141,7 @@ TEST_F(ExactDouble, EdgesAreSharpHoweverFar) {
 
 TEST_F(ExactDouble, WithoutItTheReportTellsOfALargerError) {
   const Scene scene = ball(glowing(Vec3(1)));
-  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 8e-2);
+  const Camera camera = telescope(kCenter + Vec3(0, 0, kBallRadius), 8e-2);
   const FrameError with = draw(scene, camera, kExactDoubleSize).statistics.error;
   const FrameError without = draw(scene, camera, kExactDoubleSize, {.doubles = false}).statistics.error;
   EXPECT_LE(with.residualMaxPx.value_or(1), 1e-5);
@@ -169,7 +169,7 @@ TEST_F(ExactDouble, WithoutItNoPointIsCertifiedThatAFormulasRoundingMoves) {
 
 TEST_F(ExactDouble, WithoutItWhatFloatWouldLoseAtEdgesIsFoundByRays) {
   const Scene scene = ball(glowing(Vec3(1)));
-  const Camera camera = telescope(kCenter + Vec3(0, 0, kRadius), 1e-4);
+  const Camera camera = telescope(kCenter + Vec3(0, 0, kBallRadius), 1e-4);
   const FrameError error = draw(scene, camera, kExactDoubleSize, {.doubles = false}).statistics.error;
   EXPECT_EQ(error.resolvedByRaysPx,
             static_cast<std::uint64_t>(kExactDoubleSize.width * kExactDoubleSize.height));

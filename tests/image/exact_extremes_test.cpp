@@ -18,19 +18,19 @@ namespace {
 using ExactExtremes = VerifiedPictureTest;
 
 constexpr PixelSize kExactExtremesSize{128, 96};
-const Vec3 kGreen(0, 1, 0);
+const Vec3 kShown(0, 1, 0);
 
 Scene glowingScene(Surface surface) {
   Scene scene;
   scene.set(plainSettings());
-  scene.add(Node{.surface = std::move(surface), .material = scene.add(glowing(kGreen))});
+  scene.add(Node{.surface = std::move(surface), .material = scene.add(glowing(kShown))});
   return scene;
 }
 
 /// Whether the pixel shows the surface; anything but the surface's colour and the background's is a failure.
 bool shows(const Image& color, int x, int y) {
   const Vec3 c = colorAt(color, x, y);
-  const bool green = near(c, kGreen, 1e-6);
+  const bool green = near(c, kShown, 1e-6);
   EXPECT_TRUE(green || c == Vec3(0)) << x << ", " << y;
   return green;
 }

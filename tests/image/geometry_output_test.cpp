@@ -84,9 +84,9 @@ const Body kSphere{"sphere", sphere(1.2), [](const Vec3& p) { return std::abs(gl
                    [](const Vec3& p) { return glm::normalize(p); }};
 
 Vec3 ringPoint(const Vec3& p) { return glm::normalize(Vec3(p.x, 0, p.z)); }
-const Body kTorus{"torus", torus(1, 0.4),
-                  [](const Vec3& p) { return std::abs(glm::distance(p, ringPoint(p)) - 0.4); },
-                  [](const Vec3& p) { return glm::normalize(p - ringPoint(p)); }};
+const Body kTorusBody{"torus", torus(1, 0.4),
+                      [](const Vec3& p) { return std::abs(glm::distance(p, ringPoint(p)) - 0.4); },
+                      [](const Vec3& p) { return glm::normalize(p - ringPoint(p)); }};
 
 /// Exactly the parametrisation that is documented: u around +Y from +X toward -Z, v along or around the tube.
 Vec3 documentedPoint(const Body& body, const Vec2& uv) {
@@ -102,7 +102,7 @@ Vec3 documentedPoint(const Body& body, const Vec2& uv) {
 
 TEST_F(GeometryOutput, CurvedBodies) {
   constexpr Segments kFine{256, 128};
-  for (const Body& body : {kSphere, kTorus}) {
+  for (const Body& body : {kSphere, kTorusBody}) {
     Scene scene;
     scene.add(Node{.surface = body.surface, .segments = kFine});
     // The proven distance of the mesh from the surface at equal (u, v), and single precision at 4 m.

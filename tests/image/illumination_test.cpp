@@ -19,7 +19,7 @@ namespace {
 
 using Illumination = PictureTest;
 
-constexpr PixelSize kSmall{33, 33};  // odd: the middle pixel's centre is on the optical axis
+constexpr PixelSize kIlluminationSize{33, 33};  // odd: the middle pixel's centre is on the optical axis
 constexpr int kMiddle = 16;
 
 Material d16() {
@@ -76,7 +76,8 @@ TEST_F(Illumination, KnownAnswersOfTheLecture) {
       for (const Projection projection : {Projection::Perspective, Projection::Orthographic})
         for (const Vec4& position : {Vec4(c.l, 0), Vec4(7.0 * c.l, 1)}) {
           const Scene scene = floorScene(d16(), Vec3(0.2), std::array{Shine{.position = position}});
-          const Picture picture = draw(scene, lookingAlong(c.v, projection), kSmall, {.shading = shading});
+          const Picture picture =
+              draw(scene, lookingAlong(c.v, projection), kIlluminationSize, {.shading = shading});
           EXPECT_TRUE(near(colorAt(picture.image, kMiddle, kMiddle), c.color, 1e-5))
               << nameOf(shading) << (projection == Projection::Perspective ? " perspective" : " orthographic")
               << " w = " << position.w << " v.x = " << c.v.x;
@@ -95,7 +96,7 @@ TEST_F(Illumination, EveryPixelIsTheFormula) {
       for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat}) {
         const Camera camera = lookingAlong(glm::normalize(v), projection);
         const Picture picture =
-            draw(floorScene(d16(), Vec3(0.2), lights), camera, kSmall, {.shading = shading});
+            draw(floorScene(d16(), Vec3(0.2), lights), camera, kIlluminationSize, {.shading = shading});
         EXPECT_LE(worstOnFloor(picture.image, camera, d16(), Vec3(0.2), lights), tolerance(1e-5, 4e-5))
             << nameOf(shading) << (projection == Projection::Perspective ? " perspective" : " orthographic");
       }
@@ -108,7 +109,7 @@ TEST_F(Illumination, HighlightOfAnyExponent) {
   const Camera camera = lookingAlong(glm::normalize(Vec3(-0.3, 1, 0.1)), Projection::Perspective);
   for (const double n : {0.0, 1.0, 8.0, 60.0, 500.0, 10000.0}) {
     Material material{.diffuse = Vec3(0), .specular = Vec3(1), .shininess = n};
-    const Picture picture = draw(floorScene(material, Vec3(0), lights), camera, kSmall);
+    const Picture picture = draw(floorScene(material, Vec3(0), lights), camera, kIlluminationSize);
     EXPECT_LE(worstOnFloor(picture.image, camera, material, Vec3(0), lights), 5e-7 * std::sqrt(1 + n))
         << "shininess " << n;
   }
@@ -120,13 +121,13 @@ TEST_F(Illumination, NothingComesFromBelowTheHorizon) {
   const Camera camera = lookingAlong(v, Projection::Orthographic);
   Material material = d16();
   material.shininess = 2;
-  const Picture gated = draw(floorScene(material, Vec3(0.2), below), camera, kSmall);
+  const Picture gated = draw(floorScene(material, Vec3(0.2), below), camera, kIlluminationSize);
   EXPECT_TRUE(near(colorAt(gated.image, kMiddle, kMiddle), Vec3(0.1 * 0.2), 1e-7));
 
   material.lectureSpecular = true;
   const Vec3 h = glm::normalize(glm::normalize(Vec3(1, -0.2, 0)) + v);
   ASSERT_GT(h.y, 0.1);  // there is a highlight to leak
-  const Picture ungated = draw(floorScene(material, Vec3(0.2), below), camera, kSmall);
+  const Picture ungated = draw(floorScene(material, Vec3(0.2), below), camera, kIlluminationSize);
   EXPECT_TRUE(near(colorAt(ungated.image, kMiddle, kMiddle), Vec3(0.1 * 0.2 + 0.3 * h.y * h.y), 1e-5));
 }
 
@@ -135,8 +136,8 @@ TEST_F(Illumination, LightOnTheSurfaceIsFinite) {
     for (const Shading shading : {Shading::Exact, Shading::Phong, Shading::Flat, Shading::Gouraud}) {
       const std::array lights{Shine{.position = {0, 0, 0, 1}, .inverseSquare = inverseSquare}};
       Scene scene = floorScene(d16(), Vec3(0.2), lights);
-      const Picture picture =
-          draw(scene, lookingAlong({0, 1, 0}, Projection::Perspective), kSmall, {.shading = shading});
+      const Picture picture = draw(scene, lookingAlong({0, 1, 0}, Projection::Perspective), kIlluminationSize,
+                                   {.shading = shading});
       EXPECT_TRUE(allFinite(picture.image)) << nameOf(shading);
       // It lies in the plane: N.L = 0 around it but for rounding, which at most lets the highlight through:
       // 0.3 * cos(45 degrees)^30 = 9e-6, a metre away.
@@ -151,8 +152,8 @@ TEST_F(Illumination, ShininessZeroIsAConstantHighlight) {
   material.lectureSpecular = true;
   const Vec3 v = glm::normalize(Vec3(0, 1, 1));
   const std::array opposite{Shine{.position = {0, -1, 1, 0}}};  // H = (0, 0, 1), N.H = 0
-  const Picture picture =
-      draw(floorScene(material, Vec3(0), opposite), lookingAlong(v, Projection::Orthographic), kSmall);
+  const Picture picture = draw(floorScene(material, Vec3(0), opposite),
+                               lookingAlong(v, Projection::Orthographic), kIlluminationSize);
   EXPECT_TRUE(near(colorAt(picture.image, kMiddle, kMiddle), Vec3(0.5), 1e-6));
 }
 

@@ -196,10 +196,6 @@ Image noise(std::mt19937& random, int size) {
   return {size, size, 4, std::move(samples)};
 }
 
-MaterialShaderPtr shaderOf(const std::string& text) {
-  return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
-}
-
 /// A ring and a plate of that material under a lamp, and a ball that casts its shadow on them.
 Scene litScene(const Material& material) {
   Scene scene;

@@ -23,10 +23,6 @@ using testing::HasSubstr;
 constexpr PixelSize kMaterialShaderSize{72, 56};
 const Camera kCamera{.eye = Vec3(1.5, 2.5, 4), .lookAt = Vec3(0, 0, 0)};
 
-MaterialShaderPtr shaderOf(const std::string& text) {
-  return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
-}
-
 Material litBy(const std::string& text, std::vector<UniformValue> uniforms = {}) {
   return {.shader = shaderOf(text), .uniforms = std::move(uniforms)};
 }

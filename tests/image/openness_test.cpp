@@ -17,7 +17,7 @@ namespace luxo::test {
 namespace {
 
 constexpr PixelSize kOpennessSize{160, 120};
-constexpr double kAmbient = 0.8;
+constexpr double kOpenLight = 0.8;
 
 class OpennessTest : public PictureTest {
  protected:
@@ -25,7 +25,7 @@ class OpennessTest : public PictureTest {
   Image openness(Scene& scene, double radius, const DrawOptions& options = {}) {
     RenderSettings settings = plainSettings();
     settings.ambientOcclusion = {.radius = radius};
-    settings.ambient = Vec3(kAmbient);
+    settings.ambient = Vec3(kOpenLight);
     scene.set(settings);
     return draw(scene, camera_, kOpennessSize, options).image;
   }
@@ -57,7 +57,7 @@ TEST_F(OpennessTest, OfAFloorIsOneFromEverywhere) {
       for (int x = 0; x < kOpennessSize.width; ++x)
         // 16 slices stand for an integral of what is smooth; single precision puts points beside their plane.
         // Measured at most 5e-6.
-        ASSERT_NEAR(colorAt(image, x, y).x / kAmbient, 1, 2e-5) << x << " " << y;
+        ASSERT_NEAR(colorAt(image, x, y).x / kOpenLight, 1, 2e-5) << x << " " << y;
   }
 }
 
@@ -79,7 +79,7 @@ TEST_F(OpennessTest, WhereAFloorMeetsAWallIsWhatIsKnown) {
       const bool isFloor = onFloor && *onFloor > 0 && (!onWall || *onWall <= 0 || *onFloor < *onWall);
       const Vec3 point = ray.at(isFloor ? *onFloor : *onWall);
       const double distance = isFloor ? point.z + 2 : point.y;
-      const double off = colorAt(image, x, y).x / kAmbient - besideWall(distance, radius);
+      const double off = colorAt(image, x, y).x / kOpenLight - besideWall(distance, radius);
       near += distance < radius;
       squares += distance < radius ? off * off : 0;
       largest = std::max(largest, std::abs(off));
@@ -141,7 +141,7 @@ TEST_F(OpennessTest, OfWhatIsCutOutOrSeenThroughIsThatOfWhatIsOpaque) {
         // wall is.
         if (!onFloor || ray.at(*onFloor).z < -1.9) continue;
         const double value = colorAt(opaque, x, y).x;
-        darkest = std::min(darkest, value / kAmbient);
+        darkest = std::min(darkest, value / kOpenLight);
         largest = std::max(largest, std::abs(colorAt(cutOut, x, y).x - value));
         // A quarter of the black behind comes through.
         largestThrough = std::max(largestThrough, std::abs(colorAt(through, x, y).x / 0.75 - value));
@@ -178,10 +178,10 @@ TEST_F(OpennessTest, IsTheSameOfEverySampleAndInPhongShading) {
   double darkest = 1, samples = 0, shading = 0;
   for (int y = 0; y < kOpennessSize.height; ++y)
     for (int x = 0; x < kOpennessSize.width; ++x) {
-      const double value = colorAt(one, x, y).x / kAmbient;
+      const double value = colorAt(one, x, y).x / kOpenLight;
       darkest = std::min(darkest, value);
-      samples += std::abs(value - colorAt(four, x, y).x / kAmbient);
-      shading += std::abs(value - colorAt(phong, x, y).x / kAmbient);
+      samples += std::abs(value - colorAt(four, x, y).x / kOpenLight);
+      shading += std::abs(value - colorAt(phong, x, y).x / kOpenLight);
     }
   EXPECT_LT(darkest, 0.5);
   // Of the mean: pixels on edges, and in the contact's shade, differ.
@@ -205,8 +205,8 @@ TEST_F(OpennessTest, OfBodiesIsNearThatOfTheReferencesRays) {
   for (int y = 0; y < kOpennessSize.height; ++y)
     for (int x = 0; x < kOpennessSize.width; ++x) {
       if (rays.number[static_cast<std::size_t>(y * kOpennessSize.width + x)] == 0) continue;
-      const double truth = rays.color.pixel(x, y)[0] / kAmbient;
-      const double off = colorAt(screen, x, y).x / kAmbient - truth;
+      const double truth = rays.color.pixel(x, y)[0] / kOpenLight;
+      const double off = colorAt(screen, x, y).x / kOpenLight - truth;
       squares += off * off;
       darkest = std::min(darkest, truth);
       ++seen;

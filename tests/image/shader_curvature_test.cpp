@@ -22,10 +22,6 @@ using testing::HasSubstr;
 
 constexpr PixelSize kShaderCurvatureSize{80, 60};
 
-MaterialShaderPtr shaderOf(const std::string& text) {
-  return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
-}
-
 Scene sceneOf(const std::string& material, const std::string& surface, const std::string& shader) {
   SceneFile file = parseScene(R"({ "luxo": 1, "render": { "ambient": 1, "background": 0 },
       "params": { "wide": { "value": 0.5, "range": [0.1, 1] } },

@@ -94,6 +94,10 @@ Material glowing(const Vec3& color, double opacity) {
   return {.diffuse = Vec3(0), .ambient = color, .specular = Vec3(0), .opacity = opacity};
 }
 
+MaterialShaderPtr shaderOf(const std::string& text) {
+  return std::make_shared<const MaterialShader>(MaterialShader{{{"test.frag", text}}});
+}
+
 Node plate(const Vec3& center, const Vec2& size, MaterialId material) {
   return {.translation = center,
           .rotation = Rotation{{1, 0, 0}, kPi / 2},

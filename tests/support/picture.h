@@ -82,6 +82,9 @@ NodeId addLight(Scene& scene, const Shine& shine);
 /// Shows `color` under ambient light 1, whatever the lights do.
 [[nodiscard]] Material glowing(const Vec3& color, double opacity = 1);
 
+/// A material's program, of one file.
+[[nodiscard]] MaterialShaderPtr shaderOf(const std::string& text);
+
 /// A rectangle whose normal is +Z: u to the right (+X), v up (+Y).
 [[nodiscard]] Node plate(const Vec3& center, const Vec2& size, MaterialId material);
 

@@ -16,7 +16,7 @@
 namespace luxo {
 namespace {
 
-double valueOf(Graph& graph, Expr f, double u, double v) {
+double evaluated(Graph& graph, Expr f, double u, double v) {
   double value = 0;
   Tape(graph, {&f, 1}).evaluatePoint(u, v, {}, {&value, 1});
   return value;
@@ -33,10 +33,11 @@ TEST(Slope, IsTheQuotientAndAtThePlaceTheDerivative) {
     const std::optional<Expr> found = slope(graph, f, 0, at);
     ASSERT_TRUE(found) << &f - formulas;
     for (const double x : {-0.9, 0.1, 1.2})
-      EXPECT_NEAR(valueOf(graph, *found, x, other),
-                  (valueOf(graph, f, x, other) - valueOf(graph, f, at, other)) / (x - at), 1e-13)
+      EXPECT_NEAR(evaluated(graph, *found, x, other),
+                  (evaluated(graph, f, x, other) - evaluated(graph, f, at, other)) / (x - at), 1e-13)
           << &f - formulas;
-    EXPECT_NEAR(valueOf(graph, *found, at, other), valueOf(graph, graph.derivative(f, 0), at, other), 1e-14)
+    EXPECT_NEAR(evaluated(graph, *found, at, other), evaluated(graph, graph.derivative(f, 0), at, other),
+                1e-14)
         << &f - formulas;
   }
 }
@@ -58,10 +59,10 @@ TEST(Factors, AreThoseOfAllTerms) {
   const auto common = commonFactors(products);
   EXPECT_EQ(common, (std::map<std::uint32_t, int>{{graph.nodeOf(u), 2}}));
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(valueOf(graph, expressionOf(graph, products[i]), 0.3, 0.7),
-                valueOf(graph, formulas[i], 0.3, 0.7), 1e-16);
-    EXPECT_NEAR(valueOf(graph, expressionOf(graph, quotient(products[i], common)), 0.3, 0.7),
-                valueOf(graph, formulas[i], 0.3, 0.7) / 0.09, 1e-15);
+    EXPECT_NEAR(evaluated(graph, expressionOf(graph, products[i]), 0.3, 0.7),
+                evaluated(graph, formulas[i], 0.3, 0.7), 1e-16);
+    EXPECT_NEAR(evaluated(graph, expressionOf(graph, quotient(products[i], common)), 0.3, 0.7),
+                evaluated(graph, formulas[i], 0.3, 0.7) / 0.09, 1e-15);
   }
 }
 

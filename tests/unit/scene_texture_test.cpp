@@ -135,8 +135,8 @@ TEST(TextureMap, LiesOnceOnAFormulaAndByTheirUvOnTriangles) {
   expectPlace(placeOf(map, quadMesh(), {0.25, 0.5}), {0.1 - 1.5, 0.2 + 0.5});
 }
 
-Scene built(const std::string& members, std::vector<Diagnostic>* warnings = nullptr,
-            const fs::path& folder = {}) {
+Scene textured(const std::string& members, std::vector<Diagnostic>* warnings = nullptr,
+               const fs::path& folder = {}) {
   return buildScene(parseScene("{ \"luxo\": 1,\n" + members + " }", "s", folder), {}, warnings);
 }
 
@@ -144,14 +144,14 @@ const Material& materialOf(const Snapshot& snapshot) { return snapshot.materials
 
 TEST(SceneTextures, CheckersAndColoursNeedNoFile) {
   std::vector<Diagnostic> warnings;
-  const Scene scene = built(R"("params": { "k": 3 },
+  const Scene scene = textured(R"("params": { "k": 3 },
     "textures": { "floor": { "checker": [[1, 0.5, 0], 0.25], "squares": 4, "wrap": "mirror", "filter": "nearest",
                              "anisotropy": 2 }, "one": { "color": "#ffffff" } },
     "materials": { "m": { "map": { "texture": "floor", "offset": ["t", 0.5], "scale": ["k", 2], "rotate": "90deg" } },
                    "n": { "map": "one", "diffuse": 0.5 } },
     "surfaces": { "s": { "type": "sphere" } },
     "nodes": [ { "surface": "s", "material": "m" }, { "surface": "s", "material": "n" } ])",
-                            &warnings);
+                               &warnings);
   EXPECT_TRUE(warnings.empty());
   const Snapshot snapshot = takeSnapshot(scene, 2, {8, 8});
   const Material &m = snapshot.materials.at(snapshot.nodes[0].material.index),
@@ -199,7 +199,7 @@ TEST(SceneTextures, MistakesAreToldWithTheirPlace) {
        {"s:2:", "there is a map, too"}},
   };
   for (const auto& mistake : kMistakes)
-    expectSceneError([&] { static_cast<void>(built(mistake.first)); }, mistake.second);
+    expectSceneError([&] { static_cast<void>(textured(mistake.first)); }, mistake.second);
 }
 
 class TextureFolder : public ::testing::Test {
@@ -218,9 +218,9 @@ class TextureFolder : public ::testing::Test {
 TEST_F(TextureFolder, FilesAreReadRelativeToTheScene) {
   Image image(2, 2, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1});
   image.save(folder_ / "four.png");
-  const Scene scene = built(R"("textures": { "four": { "file": "four.png" } },
+  const Scene scene = textured(R"("textures": { "four": { "file": "four.png" } },
     "materials": { "m": { "map": "four" } }, "nodes": [ { "material": "m" } ])",
-                            nullptr, folder_);
+                               nullptr, folder_);
   const TextureMap map = materialOf(takeSnapshot(scene, 0, {8, 8})).map;
   ASSERT_TRUE(map.valid());
   EXPECT_EQ(map.texture->levels[0].texel(1, 0), (std::array<float, 4>{0, 1, 0, 1}));
@@ -232,7 +232,7 @@ TEST_F(TextureFolder, WithoutItsFileItIsDrawnWithoutAndSaidOnce) {
     "materials": { "m": { "map": "wood" }, "n": { "map": "wood" } },
     "nodes": [ { "material": "m" }, { "material": "n" } ],
     "x-surfaces": {} )";
-  const Scene scene = built(members, &warnings, folder_);
+  const Scene scene = textured(members, &warnings, folder_);
   EXPECT_FALSE(materialOf(takeSnapshot(scene, 0, {8, 8})).map.valid());
   std::size_t about = 0;
   for (const Diagnostic& warning : warnings) about += warning.message.find("'wood.png'") != std::string::npos;
@@ -248,15 +248,17 @@ TEST_F(TextureFolder, WithoutItsFileItIsDrawnWithoutAndSaidOnce) {
 TEST_F(TextureFolder, ADamagedFileIsAnError) {
   std::ofstream(folder_ / "bad.png") << "\x89PNG and nothing more";
   expectSceneError(
-      [&] { static_cast<void>(built(R"("textures": { "bad": { "file": "bad.png" } })", nullptr, folder_)); },
+      [&] {
+        static_cast<void>(textured(R"("textures": { "bad": { "file": "bad.png" } })", nullptr, folder_));
+      },
       {"s:2:", "bad.png"});
 }
 
 TEST(SceneTextures, OfWhatIsSeenThroughAreDrawn) {
   std::vector<Diagnostic> warnings;
-  const Scene scene = built(R"("textures": { "w": { "color": 1 } },
+  const Scene scene = textured(R"("textures": { "w": { "color": 1 } },
     "materials": { "m": { "map": "w", "opacity": 0.5 } }, "nodes": [ { "material": "m" } ])",
-                            &warnings);
+                               &warnings);
   EXPECT_TRUE(materialOf(takeSnapshot(scene, 0, {8, 8})).drawsMaps());
   EXPECT_TRUE(warnings.empty());
 }

@@ -13,7 +13,7 @@
 namespace luxo {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 Edge kindOf(const Topology& t, Side side, std::uint32_t patch = 0) { return t.edge(patch, side).kind; }
 Vec3 normalOf(const Topology& t, Side side) { return t.edge(0, side).normal; }
@@ -165,7 +165,8 @@ bool mentions(const std::string& text, const std::string& word) {
 
 TEST(Topology, RefusesWhatIsNoSurface) {
   const auto plane = [](auto u, auto v) { return point(u, v, 0); };
-  for (const Interval& range : {Interval(1, 1), Interval(2, 1), Interval(0, kInfinity), Interval(kNaN, 1)}) {
+  for (const Interval& range :
+       {Interval(1, 1), Interval(2, 1), Interval(0, kInfinity), Interval(kNotANumber, 1)}) {
     const std::string text = refusal([&] { return surface(plane, {range, {0, 1}}, {.name = "patch"}); });
     EXPECT_TRUE(mentions(text, "patch") && mentions(text, "domain")) << text;
     EXPECT_NE(refusal([&] { return surface(plane, {{0, 1}, range}); }), "");
@@ -193,7 +194,7 @@ TEST(Topology, RefusesWhatIsTooLarge) {
 }
 
 TEST(Topology, NamedSurfacesRefuseImpossibleSizes) {
-  for (const double size : {0.0, -1.0, kNaN, kInfinity}) {
+  for (const double size : {0.0, -1.0, kNotANumber, kInfinity}) {
     SCOPED_TRACE(size);
     EXPECT_TRUE(mentions(refusal([&] { return rectangle(size, 1); }), "rectangle"));
     EXPECT_TRUE(mentions(refusal([&] { return rectangle(1, size); }), "rectangle"));
@@ -211,9 +212,9 @@ TEST(Topology, NamedSurfacesRefuseImpossibleSizes) {
   }
   EXPECT_TRUE(mentions(refusal([] { return cone(0, 0, 1); }), "cone"));
   EXPECT_TRUE(mentions(refusal([] { return cone(-1, 1, 1); }), "cone"));
-  EXPECT_TRUE(mentions(refusal([] { return cone(1, kNaN, 1); }), "cone"));
+  EXPECT_TRUE(mentions(refusal([] { return cone(1, kNotANumber, 1); }), "cone"));
   EXPECT_TRUE(mentions(refusal([] { return torus(1, 1); }), "torus"));
-  EXPECT_TRUE(mentions(refusal([] { return flag({.depth = kNaN}); }), "flag"));
+  EXPECT_TRUE(mentions(refusal([] { return flag({.depth = kNotANumber}); }), "flag"));
   EXPECT_TRUE(mentions(refusal([] { return flag({.waves = kInfinity}); }), "flag"));
 }
 
