@@ -15,7 +15,7 @@
 namespace luxo {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr double kUsualTolerancePx = DrawOptions{}.tolerancePx,
                  kUsualShellPx = DrawOptions{}.shellTolerancePx;
 
@@ -179,14 +179,14 @@ class SceneBench {
   static BenchError errorOf(const Verification& v, const FrameError& said) {
     const bool exact = said.residualMaxPx.has_value();
     const auto compared = [](const ErrorSpread& spread, double value) {
-      return spread.pixels > 0 ? value : kNone;
+      return spread.pixels > 0 ? value : kNotMeasured;
     };
     return {.judged = v.coverage.compared,
             .covered = v.coverage.covered,
             .boundPx = said.boundPx,
-            .residualPx = said.residualMaxPx.value_or(kNone),
-            .unconvergedPx = exact ? static_cast<double>(said.unconvergedPx) : kNone,
-            .uncertifiedPx = exact ? static_cast<double>(said.uncertifiedPx) : kNone,
+            .residualPx = said.residualMaxPx.value_or(kNotMeasured),
+            .unconvergedPx = exact ? static_cast<double>(said.unconvergedPx) : kNotMeasured,
+            .uncertifiedPx = exact ? static_cast<double>(said.uncertifiedPx) : kNotMeasured,
             .positionMaxPx = compared(v.positionPx, v.positionPx.max),
             .positionP999Px = compared(v.positionPx, v.positionPx.p999),
             .normalMaxDeg = compared(v.normalDegrees, v.normalDegrees.max),
@@ -218,7 +218,7 @@ class SceneBench {
       differing += differs ? 1 : 0;
       covered += truth_.number[pixel] != 0 ? 1 : 0;
     }
-    error.differing8Part = covered == 0 ? kNone : differing / covered;
+    error.differing8Part = covered == 0 ? kNotMeasured : differing / covered;
     error.psnr = -10 * std::log10(squares / (3 * static_cast<double>(areaPixels_.size())));
   }
 

@@ -112,7 +112,7 @@ vec4 material(Point p) {
 )";
 
 // Coordinates are rounded to 1/256 px: that keeps centres of pixels, which hashes of them need, exact.
-constexpr const char* kMaterial = R"(
+constexpr const char* kImageMaterial = R"(
 float luxoLinear(float code) {
   if (code <= 0.0) return 0.0;
   if (code >= 1.0) return 1.0;
@@ -161,7 +161,7 @@ MaterialShaderPtr materialOfMainImage(const MaterialShaderPtr& shader) {
         ErrorKind::Scene,
         fmt::format("{}: there is no function 'void mainImage(out vec4 fragColor, in vec2 fragCoord)'", file),
         "it gives the colour of each pixel; leave out --shadertoy for the shader of a material");
-  return wrapped(*shader, fmt::format("mainImage of {}", file), kMaterial);
+  return wrapped(*shader, fmt::format("mainImage of {}", file), kImageMaterial);
 }
 
 MaterialShaderPtr materialBesideMainImage(const MaterialShaderPtr& shader) {

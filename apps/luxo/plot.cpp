@@ -15,7 +15,7 @@
 namespace luxo {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kPlotFooter =
     "\nAxes are those of scene files: x right, y up, z toward the viewer.\n"
     "  luxo plot \"[cos(u)*cos(v), sin(v), sin(u)*cos(v)]\" --u 0:tau --v -pi/2:pi/2 -o sphere.png\n"
     "  luxo plot \"[u, a*sin(k*u)*cos(k*v), v]\" --u -1:1 --v -1:1 -L k=5 -L a=1/k --sweep k=1:8:1 -o "
@@ -55,7 +55,7 @@ int runPlot(const PlotOptions& options) {
 void addPlot(CLI::App& app, Command& chosen) {
   CLI::App* verb = app.add_subcommand("plot", "draw one formula to a file");
   verb->group("Verbs");
-  verb->footer(kFooter);
+  verb->footer(kPlotFooter);
   const auto options = std::make_shared<PlotOptions>();
   verb->add_option("FORMULA", options->plot.position, "\"[x, y, z]\", each a formula of u and v")
       ->type_name("");
