@@ -18,7 +18,7 @@ namespace {
 /// Linear: what 8 bits show of a colour.
 constexpr double kOtherColor = 1.0 / 255;
 /// What floats leave of a normal, some 2^-20, moves a highlight of a larger exponent by a quarter of that.
-constexpr double kMostShininess = 1024;
+constexpr double kMaxShininess = 1024;
 
 /// Whether its colour is the same function of the point in the picture and in the truth, whatever rounding
 /// makes of the point.
@@ -27,7 +27,7 @@ bool isPlain(const Material& material) {
                       material.glowMap.valid();
   return material.shadingIn(Shading::Exact) == Shading::Exact && !material.shader && !material.lesson &&
          !material.diffusePattern.valid() && !material.isolines.valid() && !mapped &&
-         material.shininess <= kMostShininess;
+         material.shininess <= kMaxShininess;
 }
 
 /// What the truth shows at a point of the picture plane.
