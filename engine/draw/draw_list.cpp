@@ -276,10 +276,25 @@ class DrawLister {
 
   Item itemOf(const VisibleNode& v, bool blended) {
     const SnapshotNode& node = snapshot_.nodes[v.node];
-    const Material& material = snapshot_.materials[node.material.index];
-    const Shading shading = material.shadingIn(options_.shading);
+    const Shading shading = snapshot_.materials[node.material.index].shadingIn(options_.shading);
     DrawBatch batch;
     batch.state = {.shading = shading, .output = options_.output, .blended = blended};
+    chooseFaces(batch, v, node);
+    const LightSets::Choice lights = chooseLights(batch, v, node);
+    if (node.surface.isPolygonal()) {
+      if (options_.skips.hidden && hidesBackFaces(v, node, geometry_.meshes)) solids_.push_back(v.node);
+      batch.state.tangents = batch.state.frame || readsTangents(batch.state);
+      if (batch.again) batch.again->tangents = readsTangents(*batch.again);
+    }
+    Item item{.lightSet = lights.index};
+    item.instance.node = v.node;
+    const Vec3 origin = addGeometry(item, batch, node, v, shading);
+    item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, batch.bothSides);
+    item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
+    return item;
+  }
+
+  void chooseFaces(DrawBatch& batch, const VisibleNode& v, const SnapshotNode& node) {
     batch.culling = cullingOf(v, node, options_, geometry_.meshes);
     batch.bothSides = batch.culling == FaceCulling::None;
     batch.flat = node.surface.flatNormal().has_value();
@@ -287,9 +302,12 @@ class DrawLister {
         !batch.bothSides && !batch.flat && v.hideBackFaces && !hidesBackFaces(v, node, geometry_.meshes);
     batch.twoSided = v.twoSided;
     batch.mirrored = v.mirrored;
+  }
+
+  LightSets::Choice chooseLights(DrawBatch& batch, const VisibleNode& v, const SnapshotNode& node) {
     LightSets::Choice lights;
     if (needsLights(batch.state)) {
-      batch.state.pattern = Paint::of(material);
+      batch.state.pattern = Paint::of(snapshot_.materials[node.material.index]);
       if (materials_.shadows() && !materials_.litLater(batch.state)) refuseShadows(node);
       const auto reaching = std::span(visible_.lights).subspan(v.firstLight, v.lightCount);
       lights = materials_.litLater(batch.state) ? materials_.lightLater(batch, lightSets_, node)
@@ -299,38 +317,31 @@ class DrawLister {
     batch.state.plainLights = lights.plain;
     batch.state.shadedLights = lights.shaded;
     batch.state.spots = lights.spots;
-    if (node.surface.isPolygonal()) {
-      if (options_.skips.hidden && hidesBackFaces(v, node, geometry_.meshes)) solids_.push_back(v.node);
-      batch.state.tangents = batch.state.frame || readsTangents(batch.state);
-      if (batch.again) batch.again->tangents = readsTangents(*batch.again);
+    return lights;
+  }
+
+  /// A shell, or the mesh that stands in for it, triangles or a mesh. From where its vertices are told.
+  /// `shading`: the material's, whatever the state has of it in this pass.
+  Vec3 addGeometry(Item& item, DrawBatch& batch, const SnapshotNode& node, const VisibleNode& v,
+                   Shading shading) {
+    if (!findsSurface(snapshot_, node, options_))
+      return addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
+    item.found = batch.state;
+    item.found->byRays = true;
+    item.found->tangents = false;
+    if (shading == Shading::Exact) item.found->shading = Shading::Phong;
+    if (node.surface.isPolygonal()) return addTriangles(item, batch, node, v);
+    if (auto shell = shells_.add(batch, node, v)) {
+      item.batches = std::move(shell->batches);
+      item.instance.exact = shell->exact;
+      return shell->origin;
     }
-    Item item{.lightSet = lights.index};
-    item.instance.node = v.node;
-    Vec3 origin(0);
-    if (findsSurface(snapshot_, node, options_)) {
-      item.found = batch.state;
-      item.found->byRays = true;
-      item.found->tangents = false;
-      if (shading == Shading::Exact) item.found->shading = Shading::Phong;
-      if (node.surface.isPolygonal()) {
-        origin = addTriangles(item, batch, node, v);
-      } else if (auto shell = shells_.add(batch, node, v)) {
-        item.batches = std::move(shell->batches);
-        item.instance.exact = shell->exact;
-        origin = shell->origin;
-      } else if (options_.standIns && shading == Shading::Exact) {
-        batch.state.shading = Shading::Phong;
-        if (list_.findsPlaces) batch.state.form = Form::FoundWithParameters;
-        MeshDesc desc = meshDescOf(node, v, Shading::Phong, snapshot_.view);
-        desc.tolerance *= kStandInTolerance;
-        origin = addMesh(item, batch, node, v, desc);
-      }
-    } else {
-      origin = addMesh(item, batch, node, v, meshDescOf(node, v, shading, snapshot_.view));
-    }
-    item.instance.data = instanceData(snapshot_, node, v, list_.origin, origin, batch.bothSides);
-    item.instance.data.material = materials_.numberOf(node.material.index, lights.shadeOf, v.node);
-    return item;
+    if (!options_.standIns || shading != Shading::Exact) return Vec3(0);
+    batch.state.shading = Shading::Phong;
+    if (list_.findsPlaces) batch.state.form = Form::FoundWithParameters;
+    MeshDesc desc = meshDescOf(node, v, Shading::Phong, snapshot_.view);
+    desc.tolerance *= kStandInTolerance;
+    return addMesh(item, batch, node, v, desc);
   }
 
   /// Shadows are found for points that are lit later.

@@ -23,6 +23,8 @@ constexpr VkFormat kShadowsFormat = VK_FORMAT_R32_UINT;
 constexpr VkFormat kOpennessFormat = VK_FORMAT_R32_SFLOAT;
 constexpr VkFormat kTransmittanceFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
+constexpr VkImageUsageFlags kReadAgain = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
+
 }  // namespace
 
 VkFormat formatOf(Target target, const PictureFormat& picture) {
@@ -59,69 +61,74 @@ ViewTargets::ViewTargets(gpu::Context& context, Precision precision)
                                                     : VK_FORMAT_R16G16B16A16_SFLOAT} {}
 
 void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, const Needs& needs) {
-  constexpr VkImageUsageFlags kPicture =
-      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-  constexpr VkImageUsageFlags kDrawnOnly = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-  constexpr VkImageUsageFlags kReadAgain = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
-  const auto make = [&](VkFormat format, VkImageUsageFlags usage, VkSampleCountFlagBits of,
-                        const char* name) {
-    return gpu::Texture(*context_,
-                        {.extent = extent, .format = format, .usage = usage, .samples = of, .name = name});
-  };
   format_.samples = samples;
-  if (!fits(color_, extent, samples)) {
-    const bool multisampled = samples != VK_SAMPLE_COUNT_1_BIT;
-    color_ = make(format_.color, multisampled ? kDrawnOnly : kPicture, samples, "color");
-    resolved_ = multisampled ? make(format_.color, kPicture, VK_SAMPLE_COUNT_1_BIT, "color resolved")
-                             : gpu::Texture();
-    depth_ = make(format_.depth,
-                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                      VK_IMAGE_USAGE_SAMPLED_BIT,
-                  samples, "depth");
-    found_ = gpu::Texture();
-    foundParameters_ = gpu::Texture();
-    foundFootprint_ = gpu::Texture();
-    foundFrame_ = gpu::Texture();
-    places_ = gpu::Texture();
-    shadows_.clear();
-    transmittances_.clear();
-    openness_ = gpu::Texture();
-    moreLight_ = gpu::Texture();
-  }
-  if (const VkExtent2D wanted = needs.lightDepth;
-      wanted.width > 0 && !(lightDepth_ && lightDepth_.extent().width >= wanted.width &&
-                            lightDepth_.extent().height >= wanted.height))
-    lightDepth_ = gpu::Texture(
-        *context_, {.extent = wanted,
-                    .format = format_.depth,
-                    .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
-                    .name = "light depths"});
-  const auto makeSlots = [&](std::vector<gpu::Texture>& textures, std::uint32_t wanted, VkFormat format,
-                             const char* name) {
-    textures.resize(std::max<std::size_t>(textures.size(), std::bit_width(wanted)));
-    for (std::size_t slot = 0; slot < textures.size(); ++slot)
-      if ((wanted >> slot & 1) != 0 && !fits(textures[slot], extent, VK_SAMPLE_COUNT_1_BIT))
-        textures[slot] = make(format, kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, samples, name);
+  if (!fits(color_, extent, samples)) makePicture(extent);
+  if (needs.deferred) LUXO_REQUIRE_COMPARE(samples, ==, VK_SAMPLE_COUNT_1_BIT);
+  makeLightDepth(needs.lightDepth);
+  const auto ensure = [&](bool needed, gpu::Texture& texture, Target target, const char* name,
+                          VkImageUsageFlags more = 0) {
+    if (!needed || fits(texture, extent, VK_SAMPLE_COUNT_1_BIT)) return;
+    texture = gpu::Texture(*context_, {.extent = extent,
+                                       .format = formatOf(target, format_),
+                                       .usage = kReadAgain | more,
+                                       .samples = samples,
+                                       .name = name});
   };
-  makeSlots(shadows_, needs.shadows, kShadowsFormat, "shadows");
-  makeSlots(transmittances_, needs.transmittances, kTransmittanceFormat, "transmittance");
-  if (needs.openness && !fits(openness_, extent, VK_SAMPLE_COUNT_1_BIT))
-    openness_ = make(kOpennessFormat, kReadAgain, samples, "openness");
-  if (needs.moreLight && !fits(moreLight_, extent, VK_SAMPLE_COUNT_1_BIT))
-    moreLight_ = make(format_.color, kReadAgain, samples, "light of more lights");
-  if (needs.shadows != 0 && (!places_ || (needs.places && !fits(places_, extent, VK_SAMPLE_COUNT_1_BIT))))
-    places_ = gpu::Texture(*context_, {.extent = needs.places ? extent : VkExtent2D{1, 1},
-                                       .format = kPlacesFormat,
-                                       .usage = kReadAgain,
-                                       .name = "places of meshes"});
-  if (needs.footprints && !fits(foundFootprint_, extent, VK_SAMPLE_COUNT_1_BIT))
-    foundFootprint_ = make(kFoundFootprintFormat, kReadAgain, samples, "footprints of what is found");
-  if (needs.frames && !fits(foundFrame_, extent, VK_SAMPLE_COUNT_1_BIT))
-    foundFrame_ = make(kFoundFrameFormat, kReadAgain, samples, "frames of what is found");
-  if (!needs.deferred || fits(found_, extent, VK_SAMPLE_COUNT_1_BIT)) return;
-  LUXO_REQUIRE_COMPARE(samples, ==, VK_SAMPLE_COUNT_1_BIT);
-  found_ = make(kFoundFormat, kReadAgain, samples, "found");
-  foundParameters_ = make(kFoundParametersFormat, kReadAgain, samples, "parameters of what is found");
+  const auto ensureSlots = [&](std::uint32_t needed, std::vector<gpu::Texture>& textures, Target target,
+                               const char* name) {
+    textures.resize(std::max<std::size_t>(textures.size(), std::bit_width(needed)));
+    for (std::size_t slot = 0; slot < textures.size(); ++slot)
+      ensure((needed >> slot & 1) != 0, textures[slot], target, name, VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  };
+  ensureSlots(needs.shadows, shadows_, Target::Shadows, "shadows");
+  ensureSlots(needs.transmittances, transmittances_, Target::Transmittance, "transmittance");
+  ensure(needs.openness, openness_, Target::Openness, "openness");
+  ensure(needs.moreLight, moreLight_, Target::MoreLight, "light of more lights");
+  ensure(needs.footprints, foundFootprint_, Target::FoundFootprint, "footprints of what is found");
+  ensure(needs.frames, foundFrame_, Target::FoundFrame, "frames of what is found");
+  ensure(needs.deferred, found_, Target::Found, "found");
+  ensure(needs.deferred, foundParameters_, Target::FoundParameters, "parameters of what is found");
+  ensure(needs.shadows != 0 && needs.places, places_, Target::Places, "places of meshes");
+  if (needs.shadows != 0 && !places_)
+    places_ = gpu::Texture(
+        *context_,
+        {.extent = {1, 1}, .format = kPlacesFormat, .usage = kReadAgain, .name = "no places of meshes"});
+}
+
+/// Of the format's samples. All other targets are as large.
+void ViewTargets::makePicture(VkExtent2D extent) {
+  constexpr VkImageUsageFlags kDrawnOnly = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
+                              kPicture = kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  const auto make = [&](VkFormat format, VkImageUsageFlags usage, VkSampleCountFlagBits samples,
+                        const char* name) {
+    return gpu::Texture(
+        *context_, {.extent = extent, .format = format, .usage = usage, .samples = samples, .name = name});
+  };
+  const bool multisampled = format_.samples != VK_SAMPLE_COUNT_1_BIT;
+  color_ = make(format_.color, multisampled ? kDrawnOnly : kPicture, format_.samples, "color");
+  resolved_ =
+      multisampled ? make(format_.color, kPicture, VK_SAMPLE_COUNT_1_BIT, "color resolved") : gpu::Texture();
+  depth_ = make(format_.depth,
+                VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                    VK_IMAGE_USAGE_SAMPLED_BIT,
+                format_.samples, "depth");
+  for (gpu::Texture* texture :
+       {&found_, &foundParameters_, &foundFootprint_, &foundFrame_, &places_, &openness_, &moreLight_})
+    *texture = gpu::Texture();
+  shadows_.clear();
+  transmittances_.clear();
+}
+
+/// At least as large as that.
+void ViewTargets::makeLightDepth(VkExtent2D extent) {
+  if (extent.width == 0 || (lightDepth_ && lightDepth_.extent().width >= extent.width &&
+                            lightDepth_.extent().height >= extent.height))
+    return;
+  lightDepth_ = gpu::Texture(
+      *context_, {.extent = extent,
+                  .format = format_.depth,
+                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                  .name = "light depths"});
 }
 
 gpu::Texture& ViewTargets::texture(Target target, std::size_t slot) {

@@ -96,6 +96,9 @@ class ViewTargets {
   [[nodiscard]] float guard() const;
 
  private:
+  void makePicture(VkExtent2D extent);
+  void makeLightDepth(VkExtent2D extent);
+
   gpu::Context* context_;
   PictureFormat format_;
   gpu::Texture color_, resolved_, depth_, found_, foundParameters_, foundFootprint_, foundFrame_, places_,
