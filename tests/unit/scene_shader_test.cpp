@@ -22,7 +22,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string messageOf(const std::function<void()>& call) {
+std::string refusalOf(const std::function<void()>& call) {
   try {
     call();
   } catch (const Error& error) {
@@ -83,7 +83,7 @@ TEST_F(SceneShader, IncludesAreRelativeToTheirFileAndInTheFolder) {
   EXPECT_EQ(shader->files[1].name, (folder / "look/lib/a.glsl").lexically_normal().string());
   write("outside.glsl", "");
   write("look/n.frag", "\n #include \"../outside.glsl\"\n");
-  EXPECT_THAT(messageOf([&] { static_cast<void>(ShaderFiles(folder.path()).get("look/n.frag")); }),
+  EXPECT_THAT(refusalOf([&] { static_cast<void>(ShaderFiles(folder.path()).get("look/n.frag")); }),
               HasSubstr("n.frag:2:11: the included file '../outside.glsl' is outside"));
 }
 
@@ -96,7 +96,7 @@ TEST_F(SceneShader, FilesOfOnesWithErrorsAreNamed) {
   EXPECT_THAT(filesNamedBy(folder / "m.frag"), all);
   EXPECT_THAT(filesNamedBy(folder / "none.frag"), testing::ElementsAre(at("none.frag")));
   ShaderFiles files(folder.path());
-  EXPECT_NE(messageOf([&] { static_cast<void>(files.get("m.frag")); }), "");
+  EXPECT_NE(refusalOf([&] { static_cast<void>(files.get("m.frag")); }), "");
   EXPECT_THAT(files.files(), all);
 }
 
@@ -120,9 +120,9 @@ TEST_F(SceneShader, CarriedOnesAreNotLookedForOnDisk) {
   EXPECT_EQ(shader->files[1].text, "float a;\n");
   EXPECT_TRUE(carried.files().empty());
   write("b.glsl", "");
-  EXPECT_THAT(messageOf([&] { static_cast<void>(carried.get("n.frag")); }),
+  EXPECT_THAT(refusalOf([&] { static_cast<void>(carried.get("n.frag")); }),
               AllOf(HasSubstr("n.frag:2:11: cannot read the shader"), HasSubstr("b.glsl")));
-  EXPECT_THAT(messageOf([&] { static_cast<void>(carried.get("long.frag")); }), HasSubstr("at most 262144"));
+  EXPECT_THAT(refusalOf([&] { static_cast<void>(carried.get("long.frag")); }), HasSubstr("at most 262144"));
 }
 
 TEST_F(SceneShader, AVertexProgramIsBehindWhatTheShaderIncludes) {
@@ -139,7 +139,7 @@ TEST_F(SceneShader, AVertexProgramIsBehindWhatTheShaderIncludes) {
   EXPECT_EQ(files.get("m.frag", "n.vert")->files.size(), 3u) << "both.glsl is there already";
   EXPECT_EQ(files.get("m.frag")->vertex, 0u);
   EXPECT_EQ(files.get("m.frag", "look/m.vert"), shader);
-  EXPECT_THAT(messageOf([&] { static_cast<void>(files.get("m.frag", "m.frag")); }), HasSubstr("two files"));
+  EXPECT_THAT(refusalOf([&] { static_cast<void>(files.get("m.frag", "m.frag")); }), HasSubstr("two files"));
   const MaterialShaderPtr alone = files.get("", "look/m.vert");
   EXPECT_EQ(alone->files.front(), kFixedFragments);
   EXPECT_EQ(alone->files.at(alone->vertex), shader->files.at(shader->vertex));
@@ -149,7 +149,7 @@ TEST_F(SceneShader, WhatIsNotDrawnIsRefused) {
   write("m.frag", "");
   write("long.frag", std::string(kMaxShaderBytes + 1, 'a'));
   const auto refused = [&](const std::string& material) {
-    return messageOf([&] { static_cast<void>(buildScene(sceneWith(material))); });
+    return refusalOf([&] { static_cast<void>(buildScene(sceneWith(material))); });
   };
   EXPECT_THAT(refused(R"({ "shader": "m.frag", "diffuse": ["u", 0, 0] })"), HasSubstr("uses u or v"));
   EXPECT_THAT(refused(R"({ "shader": "none.frag" })"), HasSubstr("a.luxo.json:2:39: cannot read the shader"));
