@@ -404,6 +404,40 @@ TEST_F(ShadowTest, OfASunIsSoft) {
   EXPECT_GT(partly, 20);
 }
 
+/// A ball that looks as large as the sun from one point of the floor: there alone all of the sun is behind
+/// it. Beside it there is as much as two equal discs leave of each other.
+TEST_F(ShadowTest, OfABallAsLargeAsTheSunIsTotalAtOnePoint) {
+  constexpr double kRadius = 0.2, kPixel = 0.01;  // radians, metres
+  constexpr int kPixels = 65, kPoints = 1024;
+  // The point that is nearest to the sun's rim is 5e-5 from it, a quarter of a millimetre beside the ball's:
+  // no rounding lets it past. The next pixel sees 0.01 / (5.03 * 0.2) of the sun's radius farther, which is
+  // 0.6 % of its disc, six points.
+  const Scene scene = sceneOf(R"_({ "surface": "ball", "material": "m", "translate": [0, "1/sin(0.2)", 0] },
+                                 { "rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                                   "light": { "type": "directional", "shadow": "exact", "radius": 0.2,
+                                              "shadow_samples": 1024 } })_");
+  const Camera camera{.eye = Vec3(0, 1.5, 0),
+                      .lookAt = Vec3(0),
+                      .up = Vec3(0, 0, -1),
+                      .fovY = 2 * std::atan(0.5 * kPixels * kPixel / 1.5)};
+  const Picture picture = renderer().render(takeSnapshot(scene, 0, {kPixels, kPixels}, camera));
+  EXPECT_EQ(picture.statistics.error.unconvergedPx + picture.statistics.error.uncertifiedPx, 0U);
+  EXPECT_EQ(picture.statistics.error.auditFailedPx, 0U);
+  constexpr double kDark = 0.07, kFull = 0.7;
+  for (int y = 0; y < kPixels; ++y)
+    for (int x = 0; x < kPixels; ++x) {
+      const double light = picture.image.pixel(x, y)[0] - kDark;
+      const bool isMiddle = x == kPixels / 2 && y == kPixels / 2;
+      ASSERT_EQ(light < 0.5 * kFull / kPoints, isMiddle) << x << ", " << y << ": " << light;
+      const double aside = kPixel * glm::length(Vec2(x - kPixels / 2, y - kPixels / 2)) * std::sin(kRadius);
+      const double half = 0.5 * std::atan(aside) / kRadius;  // of the distance of the discs, in their radii
+      const double seen = 1 - 2 / kPi * (std::acos(half) - half * std::sqrt(1 - half * half));
+      // Uncertain are the points along the ball's rim, some sqrt(1024) / 2 of 1024; 1 - cosine of the sun's
+      // disc, which is flat, is at most 0.02.
+      ASSERT_NEAR(light, kFull * seen, kFull * (1.0 / 64 + 0.02)) << x << ", " << y;
+    }
+}
+
 /// More lights than a word has bits are found in groups, whose light adds up, and of which rays know all.
 TEST_F(ShadowTest, OfManyPointsAreTheTruth) {
   const Scene scene = sceneOf(R"(
