@@ -30,7 +30,11 @@ class ShadowTest : public VerifiedPictureTest {
   /// border.
   template <class Lit>
   void expectLit(const Scene& scene, PixelSize size, const Lit& lit, int leastShadow) {
-    const Picture picture = draw(scene, size);
+    expectLit(draw(scene, size), scene, size, lit, leastShadow);
+  }
+  template <class Lit>
+  void expectLit(const Picture& picture, const Scene& scene, PixelSize size, const Lit& lit,
+                 int leastShadow) {
     const Image id = draw(scene, size, {.output = Output::Id}).image;
     const CameraModel camera(scene.cameras()[0], size);
     int inShadow = 0, atBorder = 0;
@@ -57,9 +61,12 @@ class ShadowTest : public VerifiedPictureTest {
   [[nodiscard]] static Scene sceneOf(const std::string& nodes) {
     return buildScene(parseScene(R"_({ "luxo": 1,
       "render": { "ambient": [0.1, 0.1, 0.1], "background": [0, 0, 0] },
-      "materials": { "m": { "diffuse": [0.7, 0.7, 0.7], "specular": 0 } },
+      "materials": { "m": { "diffuse": [0.7, 0.7, 0.7], "specular": 0 }, "glass": { "opacity": 0.75 } },
       "surfaces": { "floor": { "type": "rectangle", "size": [40, 40] },
                     "ball": { "type": "sphere", "radius": 1 },
+                    "globe": { "type": "formula", "u": [0, "2*pi"], "v": ["-pi/2", "pi/2"],
+                               "let": { "turn": "u + 0.3*sin(u)" },
+                               "position": ["cos(turn)*cos(v)", "sin(v)", "-sin(turn)*cos(v)"] },
                     "ring": { "type": "formula", "position": ["u*cos(v)", "0", "-u*sin(v)"],
                               "u": [0.4, 1], "v": [0, "2*pi"] },
                     "tube": { "type": "torus", "major": 1, "minor": 0.05 },
@@ -102,6 +109,28 @@ TEST_F(ShadowTest, OfABallIsAnEllipse) {
   expectLit(
       sun, kShadowSize, [](const Vec3& p) { return seesPast(p, Vec3(0, std::sin(1.0), std::cos(1.0)), 1e9); },
       400);
+}
+
+/// So it is of balls that have a map, however large: of one that no equation is known of, as it turns
+/// unevenly, and of glass, both sides of which leave a sixteenth of the light.
+TEST_F(ShadowTest, OfABallThatHasAMapIsAnEllipseAtEverySize) {
+  const Vec3 light(-2, 6, 1);
+  for (const std::string ball :
+       {R"("surface": "globe", "material": "m")", R"("surface": "ball", "material": "glass")"}) {
+    const Scene scene = sceneOf("{ " + ball + R"(, "translate": [0, 2, 0] },
+                                { "translate": [-2, 6, 1], "light": { "shadow": "exact" } })");
+    std::optional<Image> first;
+    for (const int texels : {32, 64, 4096}) {
+      SCOPED_TRACE(ball + ", a map of " + std::to_string(texels) + " texels");
+      const Picture picture = draw(scene, kShadowSize, {.shadowGridSize = texels});
+      EXPECT_GT(picture.statistics.count.tessellated, 0U) << "no map was made: this says nothing of its size";
+      expectLit(
+          picture, scene, kShadowSize,
+          [&](const Vec3& p) { return seesPast(p, light - p, glm::length(light - p)); }, 400);
+      if (!first) first = picture.image;
+      EXPECT_TRUE(sameBytes(picture.image, *first));
+    }
+  }
 }
 
 /// What shines through the hole of a disk is a circle, and so is the disk's shadow around it.
