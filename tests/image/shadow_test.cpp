@@ -226,12 +226,25 @@ TEST_F(ShadowTest, OfAllLightsAndCastersAreTheTruth) {
 }
 
 /// Nor do they where thin rods, rims and 35 kinds of surface cast them: what a map leaves open rays settle.
+/// These are to be 1e-4 of the pixels, which would be 7 of 320x240. Measured: 484, 96, 105 and 196, of the
+/// lamp nearly all where the floor is behind a rod that has the bulb before its end, of the others mostly
+/// where light grazes what is curved both ways, which nothing is known of but its cells
+/// (CasterCell::bendsAway is 0). Twice as many would be something new.
 TEST_F(ShadowTest, OfTheBuiltInScenesDoNotDependOnTheSizeOfTheMap) {
-  for (const auto& [name, size] :
-       {std::pair("luxo-grandpa", PixelSize{160, 120}), std::pair("teapot", PixelSize{160, 120}),
-        std::pair("showcase", PixelSize{160, 120}), std::pair("catalogue", PixelSize{96, 64})}) {
+  struct BuiltIn {
+    const char* name;
+    PixelSize size;
+    std::uint64_t measuredRays;
+  };
+  for (const auto& [name, size, measuredRays] :
+       {BuiltIn{"luxo-grandpa", {160, 120}, 484}, BuiltIn{"teapot", {160, 120}, 96},
+        BuiltIn{"showcase", {160, 120}, 105}, BuiltIn{"catalogue", {96, 64}, 196}}) {
     SCOPED_TRACE(name);
-    const Snapshot snapshot = takeSnapshot(withAllShadows(name), 13.7, size);
+    const Scene scene = withAllShadows(name);
+    const FrameError error = renderer().render(takeSnapshot(scene, 13.7, kShadowSize)).statistics.error;
+    EXPECT_LE(error.shadowRaysPx, 2 * measuredRays);
+    EXPECT_EQ(error.unconvergedPx + error.uncertifiedPx, 0U);
+    const Snapshot snapshot = takeSnapshot(scene, 13.7, size);
     const Picture usual = renderer().render(snapshot);
     for (const int texels : {32, 256, 4096}) {
       const Picture other = renderer().render(snapshot, {.shadowGridSize = texels});
