@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "random/crowd_scene.h"
 #include "random/run.h"
 #include "support/picture.h"
 
@@ -68,6 +69,30 @@ TEST_P(Crowds, HaveNoPixelWrong) {
   }
   EXPECT_EQ(drawn, kCrowds / kCrowdParts);
   EXPECT_GT(hits, 1000U);
+}
+
+/// How large the maps of lights are, as far as their lists fit into memory, decides how long shadows take,
+/// and no pixel. Of all forty of them the pictures were the same; these take little time, and have between
+/// them a lamp, glass, light that is wide, far away, in a cone, and that grazes the floor.
+TEST_F(PictureTest, CrowdsDoNotDependOnTheSizeOfTheirMaps) {
+  constexpr PixelSize kLarger{64, 48};
+  for (const std::uint64_t index : {1, 6, 8, 13, 24, 37}) {
+    const random::HardScene crowd = random::crowdScene(kSeed, index, {.size = kLarger, .samples = 1});
+    SCOPED_TRACE("crowd " + std::to_string(index) + ", " + crowd.kind);
+    const Snapshot snapshot = takeSnapshot(random::sceneOf(crowd.json), 0, kLarger);
+    const Image usual = renderer().render(snapshot).image;
+    EXPECT_FALSE(sameBytes(
+        usual, renderer()
+                   .render(snapshot, {.composition = Composition::Deferred, .shadows = ShadowKinds::None})
+                   .image))
+        << "nothing is in shadow";
+    for (const int texels : {32, 4096}) {
+      const Picture other = renderer().render(snapshot, {.shadowGridSize = texels});
+      EXPECT_TRUE(sameBytes(other.image, usual)) << texels;
+      EXPECT_GT(other.statistics.count.tessellated, 0U) << "no map of " << texels << " texels was made";
+      EXPECT_EQ(other.statistics.error.unconvergedPx + other.statistics.error.uncertifiedPx, 0U) << texels;
+    }
+  }
 }
 
 }  // namespace
