@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "scene/scene_builder.h"
@@ -134,9 +135,45 @@ TEST_F(ShadowHazards, CastersWithoutEndOrWidth) {
         caster("torn", R"("translate": [0, 1.5, 0])"), caster("line", R"("translate": [0, 1, 0])"),
         caster("ball", R"("translate": [0, 2, 0], "scale": [1, 0, 1])"),
         caster("ball", R"("translate": [0, 2, 0], "scale": [0, 0, 0])"),
+        caster("pot", R"("translate": [0, 2, 0], "scale": [0, 0, 0])"),
+        caster("pot", R"("translate": [0, 2, 0], "scale": ["t", "t", "t"])"),
         caster("ball", R"("translate": [0, -1000000003, 0], "scale": [1e9, 1e9, 1e9])")}) {
     SCOPED_TRACE(one);
     expectRightOrTold(sceneOf(one + lightAt("[2, 6, 3]")), kShadowHazardsSize);
+  }
+}
+
+/// What these shadows are of is meshes. They are defined, and what has no area has none.
+TEST_F(ShadowHazards, CastersWithoutEndOrWidthInMapsAndOnPlanes) {
+  const auto pictureOf = [&](const std::string& one, const std::string& light) {
+    Picture picture = draw(sceneOf(one + light), kShadowHazardsSize, {.composition = Composition::Deferred});
+    EXPECT_EQ(picture.statistics.error.nonfinitePx, 0U);
+    EXPECT_TRUE(allFinite(picture.image));
+    return std::move(picture.image);
+  };
+  const Image lit = pictureOf("", R"({ "translate": [2, 6, 3], "light": {} })");
+  for (const std::string& light :
+       {lightAt("[2, 6, 3]", R"(, "casters": ["caster"])", "map"),
+        lightAt("[2, 6, 3]", R"(, "casters": ["caster"], "shadow_plane": "floor")", "planar"),
+        lightAt("[2, 6, 3]", "", "map"), lightAt("[2, 6, 3]", R"(, "shadow_plane": "floor")", "planar")}) {
+    SCOPED_TRACE(light);
+    for (const std::string& one :
+         {caster("endless", R"("translate": [0, 1, 0])"), caster("poles", R"("translate": [0, 1, 0])"),
+          caster("torn", R"("translate": [0, 1.5, 0])"),
+          caster("ball", R"("translate": [0, 2, 0], "scale": [1, 0, 1])"),
+          caster("ball", R"("translate": [0, -1000000003, 0], "scale": [1e9, 1e9, 1e9])")}) {
+      SCOPED_TRACE(one);
+      static_cast<void>(pictureOf(one, light));
+    }
+    for (const std::string& one : {caster("line", R"("translate": [0, 1, 0])"),
+                                   caster("ball", R"("translate": [0, 2, 0], "scale": [0, 0, 0])"),
+                                   caster("pot", R"("translate": [0, 2, 0], "scale": [0, 0, 0])"),
+                                   caster("ball", R"("translate": [0, 2, 0], "scale": ["t", "t", "t"])"),
+                                   caster("pot", R"("translate": [0, 2, 0], "scale": ["t", "t", "t"])")}) {
+      SCOPED_TRACE(one);
+      // Where rays look for what is a point, the floor's points are theirs: they are rounded otherwise.
+      EXPECT_TRUE(nearEverywhere(pictureOf(one, light), lit, 1e-6));
+    }
   }
 }
 
