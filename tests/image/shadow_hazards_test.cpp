@@ -21,7 +21,8 @@ class ShadowHazards : public VerifiedPictureTest {
   [[nodiscard]] static Scene sceneOf(const std::string& nodes) {
     return buildScene(parseScene(R"_({ "luxo": 1,
       "render": { "ambient": [0.1, 0.1, 0.1], "background": [0, 0, 0] },
-      "materials": { "m": { "diffuse": [0.7, 0.7, 0.7], "specular": 0 }, "glass": { "opacity": 0.3 } },
+      "materials": { "m": { "diffuse": [0.7, 0.7, 0.7], "specular": 0 }, "glass": { "opacity": 0.3 },
+                     "thin": { "diffuse": [0.7, 0.7, 0.7], "specular": 0, "opacity": 0.01 } },
       "surfaces": { "floor": { "type": "rectangle", "size": [20, 20] }, "ball": { "type": "sphere" },
                     "cone": { "type": "cone", "radius": 1, "top_radius": 0, "height": 2 },
                     "pot": { "type": "teapot" }, "torus": { "type": "torus" },
@@ -269,6 +270,46 @@ TEST_F(ShadowHazards, SheetsOfGlassThatCast) {
   EXPECT_EQ(told.error.layersMissing + told.error.unconvergedPx + told.error.uncertifiedPx, 0U);
   EXPECT_GT(told.count.shadowPasses, 100U);
   EXPECT_GT(told.count.layerPoints, 500U);
+}
+
+/// Of 200 sheets over each other each is in the light that those above leave, T = 1 - 0.01 of it each, and is
+/// seen through them: of the light from above, where all face it, 0.01 (1 + T^2 + T^4 + ...) is seen, and
+/// what is left of it on the floor; of the ambient light as much as without them.
+TEST_F(ShadowHazards, AsManySheetsAsOneLikes) {
+  constexpr int kSheets = 200;
+  std::string sheets;
+  for (int i = 1; i <= kSheets; ++i)
+    sheets += R"({ "surface": "floor", "material": "thin", "translate": [0, )" + std::to_string(0.01 * i) +
+              ", 0] }, ";
+  const Scene scene = sceneOf(sheets + R"({ "rotate": { "axis": [1, 0, 0], "angle": "-90deg" },
+                                            "light": { "type": "directional", "shadow": "exact" } })");
+  const Camera camera{
+      .eye = Vec3(1, 5, 1), .lookAt = Vec3(1, 0, 1), .up = Vec3(0, 0, -1), .fovY = radians(50)};
+  constexpr PixelSize kSmall{12, 9};  // each sheet's light is looked for on each of the others
+  const Picture picture = draw(scene, camera, kSmall, {.audit = {.extent = AuditExtent::None}});
+  const FrameError& error = picture.statistics.error;
+  EXPECT_EQ(error.layersMissing + error.unconvergedPx + error.uncertifiedPx + error.nonfinitePx, 0U);
+  EXPECT_EQ(picture.statistics.count.layerPoints, std::uint64_t{kSheets} * kSmall.width * kSmall.height);
+  EXPECT_EQ(picture.statistics.count.shadowPasses, 2U * kSheets) << "on what is opaque, and on the sheets";
+  const double through = 1 - 0.01, twice = std::pow(through, 2 * kSheets);
+  const double seen = 0.7 * (0.1 + 0.01 * (1 - twice) / (1 - through * through) + twice);
+  // Each layer rounds some four times, by 2^-24 of 0.7 at most: 200 of them by 3.4e-5, were it all one way.
+  for (int y = 0; y < kSmall.height; ++y)
+    for (int x = 0; x < kSmall.width; ++x)
+      ASSERT_TRUE(near(colorAt(picture.image, x, y), Vec3(seen), 4e-5)) << x << ", " << y;
+}
+
+/// As many that are aslant, through each other, and in the way of some of the others only.
+TEST_F(ShadowHazards, AHeapOfSheets) {
+  const Picture picture =
+      draw(sceneOf(heap(200, "floor", "glass") + lightAt("[2, 6, 3]")), kShadowHazardsSize);
+  const FrameError& error = picture.statistics.error;
+  EXPECT_EQ(error.layersMissing + error.unconvergedPx + error.uncertifiedPx + error.nonfinitePx, 0U);
+  EXPECT_EQ(error.auditFailedPx, 0U);
+  EXPECT_TRUE(allFinite(picture.image));
+  EXPECT_GT(picture.statistics.count.layerPoints, 10'000U);
+  EXPECT_EQ(picture.statistics.count.shadowPasses, 2U * 201)
+      << "of each, and of the floor for what is below it";
 }
 
 TEST_F(ShadowHazards, ACrowdOfCasters) {
