@@ -12,15 +12,23 @@
 //
 // which cancels nothing but at the outline itself: of a sphere it compares the ray's distance from the middle with the radius.
 //
+// Roots are looked for from whichever end of the ray F is a sum of smaller numbers at: what floats leave of a, b and c is a part
+// of these. From a light's end, t counts from the light, where F is known best, on toward the point.
+//
 // A CPU device computes both sides of every branch: what a kind of quadric does not have is known when the pipeline is made.
 
 const bool kIsBall = kClosedKind == kClosedBall;            // A = 1, k = -1, and no edges
 const bool kHasLinear = kClosedKind == kClosedQuadric;      // l is not 0
 
+// A ray from one of its ends on: its point at t is known to 2 (e + |t| eOfWay).
+struct RayEnd {
+  vec3 from, way, e, eOfWay;
+};
+
 // 1: the point at t, which may be off by `dt`, is one of the patch; -1: it is not; 0: floats do not tell.
-int insideAt(ClosedCaster caster, ClosedRay ray, float t, float dt) {
+int insideAt(ClosedCaster caster, RayEnd end, float t, float dt) {
   if (kIsBall) return dt < 1e30 ? 1 : 0;
-  vec3 p = ray.from + t * ray.way, e = 2.0 * ray.e + abs(ray.way) * (dt + kUlps * abs(t));
+  vec3 p = end.from + t * end.way, e = 2.0 * (end.e + abs(t) * end.eOfWay) + abs(end.way) * (dt + kUlps * abs(t));
   if ((caster.flags & kRadialCaster) != 0) {
     p = vec3(length(p.xz), p.y, 0);
     e = vec3(e.x + e.z, e.y, 0);
@@ -33,13 +41,14 @@ int insideAt(ClosedCaster caster, ClosedRay ray, float t, float dt) {
 // y = 0: one division.
 int meetsPlane(ClosedCaster caster, ClosedRay ray) {
   float y = ray.from.y, way = ray.way.y, perWay = 1.0 / way;
+  RayEnd end = RayEnd(ray.from, ray.way, ray.e, vec3(0));
   if (!(abs(y) > ray.e.y)) {
     float t = abs(ray.e.y * perWay);
-    return insideAt(caster, ray, 0.0, 2.0 * t) < 0 ? kPassed : kOpen;
+    return insideAt(caster, end, 0.0, 2.0 * t) < 0 ? kPassed : kOpen;
   }
   if (y > 0.0 == caster.atLight > 0.0) return kPassed;
   float t = -y * perWay;
-  int inside = abs(way) > 2.0 * ray.eOfWay.y ? insideAt(caster, ray, t, 2.0 * (ray.e.y + abs(t) * ray.eOfWay.y) * abs(perWay)) : 0;
+  int inside = abs(way) > 2.0 * ray.eOfWay.y ? insideAt(caster, end, t, 2.0 * (ray.e.y + abs(t) * ray.eOfWay.y) * abs(perWay)) : 0;
   return inside > 0 ? kMet : inside < 0 ? kPassed : kOpen;
 }
 
@@ -66,34 +75,49 @@ int meetsQuadric(ClosedCaster caster, ClosedRay ray) {
     square = b * b;
     eSquare = ec = 0.0;
   }
-  float root = sqrt(max(square, 0.0)), perRoot = 1.0 / max(root, kTiny), perA = 1.0 / a;
+  bool touches = !ray.isOwn && !(abs(c) > ec);
+  float start = ray.isOwn || touches ? b : c, eStart = ray.isOwn ? ebOfOwn : touches ? eb : ec;
   float sign_ = caster.atLight > 0.0 ? 1.0 : -1.0;
+  bool isClear = square > eSquare, turns = start * sign_ < 0.0;
+  bool isSurelyPast = !turns && (ray.isOwn || touches || square < -eSquare || b * sign_ > eb);
+
+  // From the light's end on: rounding leaves of the light no more than of a number.
+  RayEnd end = RayEnd(q, d, e, vec3(0));
+  bool fromLight = caster.light.w != 0.0 && !ray.isOwn && !touches &&
+                   dot(size * light, light) + abs(l * light.y) < dot(AQ, abs(q)) + abs(l * q.y);
+  if (fromLight) {
+    end = RayEnd(light, -d, 2.0 * kUlps * abs(light), e);
+    b = -dot(Ad, light) - l * d.y;
+    c = caster.atLight;
+    eb = dot(AD, end.e) + dot(size * abs(light), ed) + abs(l) * ed.y;
+    ec = kUlps * abs(c);
+  }
+  float root = sqrt(max(square, 0.0)), perRoot = 1.0 / max(root, kTiny), perA = 1.0 / a;
   // The roots where F turns to the light's sign, and where it turns away from that. Of the two ways to write a root the one
   // that cancels nothing; of a point of the surface itself the root that is not 0.
-  float turned = sign_ * root, large = b > 0.0 ? b + root : b - root;
+  float turned = fromLight ? -sign_ * root : sign_ * root, large = b > 0.0 ? b + root : b - root;
   float first = -large * perA, second = ray.isOwn ? first : -c / large;
   bool isSecond = b * turned > 0.0;
   float to = isSecond ? second : first, away = isSecond ? first : second;
 
-  bool touches = !ray.isOwn && !(abs(c) > ec);
-  float start = ray.isOwn || touches ? b : c, eStart = ray.isOwn ? ebOfOwn : touches ? eb : ec;
-  bool isClear = square > eSquare, turns = start * sign_ < 0.0;
-  bool isSurelyPast = !turns && (ray.isOwn || touches || square < -eSquare || b * sign_ > eb);
   // What of a meeting at `to` there is; and at another one: where the point lies on the surface within rounding, that is no
   // meeting where this goes on beyond its edges; where the ray grazes it, if anything, it is near the vertex of the parabola.
-  float eTo = (ec + abs(to) * (2.0 * eb + abs(to) * ea)) * perRoot;
+  // Both, to first order, times 2: what is off of F at a root, by its slope, and of the root of D.
+  float eLarge = eSquare / max(abs(large), kTiny);
+  float eTo = (ec + abs(to) * (2.0 * eb + abs(to) * ea + eLarge)) * perRoot;
   float other = touches ? 0.0 : isClear ? away : -b * perA;
   float eOther = touches ? 2.0 * ec * perRoot
-                 : isClear ? (ec + abs(away) * (2.0 * eb + abs(away) * ea)) * perRoot
+                 : isClear ? (ec + abs(away) * (2.0 * eb + abs(away) * ea + eLarge)) * perRoot
                            : (eb + abs(other) * ea + sqrt(2.0 * eSquare)) / max(abs(a) - ea, kTiny);
-  int insideTo = isClear ? insideAt(caster, ray, to, eTo) : 0, insideOther = insideAt(caster, ray, other, eOther);
+  int insideTo = isClear ? insideAt(caster, end, to, eTo) : 0, insideOther = insideAt(caster, end, other, eOther);
   if (touches && !(isClear && insideOther < 0)) return kOpen;
   if (!(abs(start) > eStart)) return kOpen;
   if (isSurelyPast) return kPassed;
   if (turns) return insideTo > 0 ? kMet : insideTo < 0 ? kPassed : kOpen;
-  bool isBeyond = caster.light.w != 0.0 && other - eOther > 1.0, isBehind = isClear && other + eOther < 0.0;
-  if (isBeyond || isBehind) return kPassed;
+  // How far the other one is beyond the light, and behind the point.
+  float beyond = caster.light.w == 0.0 ? -1e30 : fromLight ? -other : other - 1.0, behind = fromLight ? other - 1.0 : -other;
+  if (beyond > eOther || (isClear && behind > eOther)) return kPassed;
   if (!isClear) return insideOther < 0 ? kPassed : kOpen;
-  if (!(other - eOther > 0.0 && (caster.light.w == 0.0 || other + eOther < 1.0))) return kOpen;
+  if (!(max(beyond, behind) < -eOther)) return kOpen;
   return insideOther > 0 || insideTo > 0 ? kMet : insideOther < 0 && insideTo < 0 ? kPassed : kOpen;
 }
