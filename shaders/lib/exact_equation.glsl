@@ -41,12 +41,17 @@ Expansion expansionAt(real3 p, real3 way) {
 }
 
 // Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is
-// beyond an edge by less on the screen than the tolerance is the patch's. A plane's other root is infinitely far away.
+// beyond an edge by less on the screen than the tolerance is the patch's: along the surface, where dF is 0, which what ends at
+// heights is also sideways, and the others up or down. A plane's other root is infinitely far away.
 bool isSeen(Ray ray, real3 p) {
   real depth = depthOf(p + center()), radius = sqrt(p.x * p.x + p.z * p.z);
   real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
   real3 beyond = max(max(number3(kEquationLowest) - q, q - number3(kEquationHighest)), real3(0));
   if (has(kRadial)) beyond = real3(p.x * beyond.x, radius * beyond.y, p.z * beyond.x) / max(radius, kSmallest);
+  real3 gradient = number3(kQuadricSquares) * p + real3(0, number(kQuadricHalfY), 0);
+  real sideways = gradient.y * beyond.y / max(dot(gradient.xz, gradient.xz), kSmallest);
+  real up = dot(gradient.xz, beyond.xz) / (abs(gradient.y) > kSmallest ? gradient.y : kSmallest);
+  beyond -= real3(sideways * gradient.x, up, sideways * gradient.z);
   real onScreen = max(abs(dot(ray.across1, beyond)), abs(dot(ray.across2, beyond)));
   return onScreen <= toleranceAt(depth) && depth < 1e30 && inDepthRange(depth);
 }
