@@ -3,6 +3,7 @@
 # NAME is the file name with dots as underscores; the array is `luxo_NAME`.
 
 find_program(LUXO_GLSLANG glslangValidator REQUIRED)
+find_program(LUXO_SPIRV_OPT spirv-opt REQUIRED)
 find_program(LUXO_SPIRV_VAL spirv-val REQUIRED)
 find_package(SPIRV-Tools REQUIRED)
 find_package(TBB REQUIRED)
@@ -16,17 +17,20 @@ function(luxo_shaders target)
     string(REPLACE "." "_" name ${file})
     # Names and lines alone: the compiler of Debian 12 (12.0) crashes on some sources where it is to tell more (-gVS).
     set(compile ${LUXO_GLSLANG} --quiet --target-env vulkan1.3 -I${PROJECT_SOURCE_DIR}/shaders $<$<CONFIG:Debug>:-g>)
-    # The compiler's list of included files names its output, so the words and the header are made apart.
+    # Of what a shader includes it keeps what it uses: drivers and pipelines hold all of a module in memory.
     add_custom_command(
       OUTPUT ${out}/${name}.spv
       COMMAND ${compile} --depfile ${out}/${name}.d -o ${out}/${name}.spv ${source}
+      COMMAND ${LUXO_SPIRV_OPT} --target-env=vulkan1.3 --scalar-block-layout --eliminate-dead-functions --eliminate-dead-const
+              ${out}/${name}.spv -o ${out}/${name}.spv
       COMMAND ${LUXO_SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${out}/${name}.spv
       DEPENDS ${source} DEPFILE ${out}/${name}.d
       COMMENT "Compiling shader ${file}" COMMAND_EXPAND_LISTS VERBATIM)
     add_custom_command(
       OUTPUT ${out}/${name}.h
-      COMMAND ${compile} --vn luxo_${name} -o ${out}/${name}.h ${source}
-      DEPENDS ${out}/${name}.spv
+      COMMAND ${CMAKE_COMMAND} -DFILE=${out}/${name}.spv -DNAME=luxo_${name} -DOUT=${out}/${name}.h
+              -P ${PROJECT_SOURCE_DIR}/cmake/embed_words.cmake
+      DEPENDS ${out}/${name}.spv ${PROJECT_SOURCE_DIR}/cmake/embed_words.cmake
       COMMENT "Embedding shader ${file}" COMMAND_EXPAND_LISTS VERBATIM)
     list(APPEND headers ${out}/${name}.h)
   endforeach()
