@@ -133,12 +133,16 @@ Snapshot seenFromLight(Snapshot snapshot, std::optional<int> size, NodeId light)
   if (seen.pointOf) seen.positionWorld = seen.pointOf->middle;
   std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
     return std::ranges::find(seen.casters, node.id) == seen.casters.end() ||
-           (seen.map && snapshot.materials[node.material.index].letsLightThrough());
+           !(largestStretch(node.worldFromObject.linear) > 0);
   });
-  if (seen.map && snapshot.nodes.empty())
-    throw Error(ErrorKind::Scene, "all that casts the light's shadow is seen through: its map is empty",
-                "a map has opaque casters only; shadows of what is seen through are exact");
-  const Box casters = framingOf(snapshot);
+  Box casters = framingOf(snapshot);
+  if (seen.map) {
+    std::erase_if(snapshot.nodes, [&](const SnapshotNode& node) {
+      return snapshot.materials[node.material.index].letsLightThrough();
+    });
+    // Of an empty one the view is that of what is not in it.
+    if (!snapshot.nodes.empty()) casters = framingOf(snapshot);
+  }
   if (casters.empty()) throw Error(ErrorKind::Scene, "what casts the light's shadow has no points");
   // What no perspective view has room for; a nearer light's depths are distances from it.
   seen.positionWorld = parallelWhereFar(seen.positionWorld, casters, 0x1p-30);

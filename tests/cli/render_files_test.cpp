@@ -297,9 +297,15 @@ TEST_F(RenderFiles, DepthsOfAMapAreThoseOfWhatItHas) {
   };
   EXPECT_EQ(depths(R"({ "surface": "disc", "translate": [0, 2, 0] }, )").code, 0);
   EXPECT_NEAR(pictureOfPfm(textOf(folder / "a.pfm")).row(16)[16], 4, 1e-5);
-  const Outcome empty = depths("");
-  EXPECT_EQ(empty.code, 3);
-  EXPECT_TRUE(contains(empty.err, "its map is empty")) << empty.err;
+  // An empty one is black, and one of what has no size has no place to look at.
+  EXPECT_EQ(depths("").code, 0);
+  EXPECT_TRUE(std::isinf(pictureOfPfm(textOf(folder / "a.pfm")).row(16)[16]));
+  writeText(folder / "nothing.luxo.json",
+            R"({ "luxo": 1, "surfaces": { "disc": { "type": "disk" } },
+    "nodes": [ { "surface": "disc", "scale": [0, 0, 0] }, { "translate": [0, 6, 0], "light": { "shadow": "exact" } } ] })");
+  const Outcome nothing = run(folder, {"render", "nothing.luxo.json", "--aov", "light-depth", "-o", "b.pfm"});
+  EXPECT_EQ(nothing.code, 3);
+  EXPECT_TRUE(contains(nothing.err, "what casts the light's shadow has no points")) << nothing.err;
 }
 
 /// By the name of its node, or by its place where it has none; without one that of the first in the file.
