@@ -35,6 +35,7 @@ class ViewedMoment {
   [[nodiscard]] Snapshot whole(PixelSize size, const Snapshot* last);
   /// False: next() has all samples that the scene asks for.
   [[nodiscard]] bool soften();
+  [[nodiscard]] std::uint32_t shadowSamples() const { return shadowSamples_; }  ///< so many at most
 
   /// Of the last snapshot.
   [[nodiscard]] double seconds() const { return seconds_; }

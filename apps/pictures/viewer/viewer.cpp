@@ -365,6 +365,7 @@ class Viewer {
   // Soft shadows of what rests get more samples with the next turn.
   [[nodiscard]] bool softens(const Turn& turn) {
     if (!rests(turn) || !moment_.soften()) return false;
+    log(LogLevel::Debug, fmt::format("softer, of {} points of a light at most", moment_.shadowSamples()));
     dirty_ = true;
     return true;
   }
