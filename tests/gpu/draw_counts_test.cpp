@@ -255,6 +255,7 @@ TEST_F(DrawCounts, WhatIsOpaqueRunsNoPassOfWhatIsSeenThrough) {
   const FrameCounts before = draw(opaque, kTiny).statistics.count;
   EXPECT_EQ(before.layerPoints, 0U);
   EXPECT_LE(before.passes, 3U) << "points, shadows, light";
+  EXPECT_GT(before.passes, 0U);
   opaque.add(Node{.translation = Vec3(0, 2, 0),
                   .surface = sphere(0.3),
                   .material = opaque.add(Material{.opacity = 0.5})});

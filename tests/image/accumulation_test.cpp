@@ -186,6 +186,7 @@ TEST_F(Accumulation, CostsAPassPerSample) {
   const Picture seven = draw(busyScene(), camera, {64, 48}, {.shading = Shading::Phong, .samples = 7});
   const FrameCounts &a = one.statistics.count, &b = seven.statistics.count;
   EXPECT_LE(b.submits, 14u) << "each is drawn, then added";
+  EXPECT_GT(b.submits, 0U);
   EXPECT_EQ(b.passes, 7 * a.passes);
   EXPECT_EQ(b.nodes, a.nodes);
   EXPECT_EQ(b.drawn + b.culledFrustum + b.culledSmall + b.culledBackface, b.nodes);

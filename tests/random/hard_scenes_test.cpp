@@ -81,11 +81,14 @@ TEST_F(PictureTest, CrowdsDoNotDependOnTheSizeOfTheirMaps) {
     SCOPED_TRACE("crowd " + std::to_string(index) + ", " + crowd.kind);
     const Snapshot snapshot = takeSnapshot(random::sceneOf(crowd.json), 0, kLarger);
     const Image usual = renderer().render(snapshot).image;
-    EXPECT_FALSE(sameBytes(
-        usual, renderer()
-                   .render(snapshot, {.composition = Composition::Deferred, .shadows = ShadowKinds::None})
-                   .image))
-        << "nothing is in shadow";
+    const Image lit =
+        renderer()
+            .render(snapshot, {.composition = Composition::Deferred, .shadows = ShadowKinds::None})
+            .image;
+    int dark = 0;
+    for (int y = 0; y < kLarger.height; ++y)
+      for (int x = 0; x < kLarger.width; ++x) dark += colorAt(usual, x, y).y < colorAt(lit, x, y).y - 0.01;
+    EXPECT_GT(dark, 10) << "nothing is in shadow";
     for (const int texels : {32, 4096}) {
       const Picture other = renderer().render(snapshot, {.shadowGridSize = texels});
       EXPECT_TRUE(sameBytes(other.image, usual)) << texels;

@@ -93,13 +93,15 @@ NodeId addLight(Scene& scene, const Shine& shine);
 
 [[nodiscard]] Vec3 colorAt(const Image& image, int x, int y);
 [[nodiscard]] ::testing::AssertionResult near(const Vec3& a, const Vec3& b, double tolerance);
+/// Whether there is more than one colour.
+[[nodiscard]] bool showsSomething(const Image& image);
 /// Two pictures that show nothing are the same, whatever should be there: comparing them is a failure, unless
 /// that is what is asked.
 enum class Shown { Something, MaybeNothing };
 [[nodiscard]] ::testing::AssertionResult sameBytes(const Image& a, const Image& b,
                                                    Shown shown = Shown::Something);
-/// Of the numbers of two images of one size.
-[[nodiscard]] double largestDifference(const Image& a, const Image& b, Shown shown = Shown::Something);
+/// Of the numbers of two images of one size; infinite where one is no number.
+[[nodiscard]] double largestDifference(const Image& a, const Image& b);
 [[nodiscard]] ::testing::AssertionResult nearEverywhere(const Image& a, const Image& b, double most);
 /// How many pixels are not near(); of two images of one size.
 [[nodiscard]] int differingPixels(const Image& a, const Image& b, double tolerance);

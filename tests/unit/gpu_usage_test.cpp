@@ -19,7 +19,8 @@ int numberOf(Use use) { return static_cast<int>(use); }
 std::vector<Use> usesOf(ResourceKind kind) {
   using enum Use;
   if (kind == ResourceKind::Buffer) {
-    return {TransferSource, TransferDestination, VertexBuffer, IndexBuffer, StorageWrite, HostRead};
+    return {TransferSource, TransferDestination, VertexBuffer, IndexBuffer,
+            StorageWrite,   ComputeStorage,      HostRead};
   }
   return {ColorAttachment,     ResolveTarget,   DepthAttachment, TransferSource,
           TransferDestination, SampledFragment, StorageWrite,    Present};
