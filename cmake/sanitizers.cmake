@@ -6,9 +6,9 @@ if(LUXO_SANITIZE)
   add_compile_options(-fsanitize=${LUXO_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${LUXO_SANITIZE})
 endif()
-# Asked at every access, these take a quarter of the compiler's time (measured on draw and shell). What is null, or outside of
-# its object, the address sanitizer sees, and a cast to what is aligned otherwise is a warning (-Wcast-align). Readers are
-# fuzzed with all of them.
+# Asked at every access, these take a quarter of the compiler's time (measured on draw and shell). What is null when it is
+# read, or outside of all objects, the address sanitizer sees, and most casts to what is aligned otherwise are warnings
+# (-Wcast-align). The preset fuzz, which readers are fuzzed in, has them all.
 if(LUXO_SANITIZE MATCHES "undefined" AND NOT LUXO_SANITIZE MATCHES "fuzzer")
   add_compile_options(-fno-sanitize=null,object-size,alignment)
 endif()

@@ -95,7 +95,7 @@ void ViewTargets::prepare(VkExtent2D extent, VkSampleCountFlagBits samples, cons
         {.extent = {1, 1}, .format = kPlacesFormat, .usage = kReadAgain, .name = "no places of meshes"});
 }
 
-/// Of the format's samples. All other targets are as large.
+/// Of the format's samples. Whatever has its pixels is made anew, too.
 void ViewTargets::makePicture(VkExtent2D extent) {
   constexpr VkImageUsageFlags kDrawnOnly = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT,
                               kPicture = kReadAgain | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
