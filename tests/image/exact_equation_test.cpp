@@ -56,6 +56,18 @@ TEST_F(ExactEquation, ScaledUnevenly) {
     }
 }
 
+// From nearly level with its rim: outward is toward the eye there, and going on beyond the rim is going up.
+TEST_F(ExactEquation, EndsWhereItEndsSeenFromBeside) {
+  for (int i = 0; i < 12; ++i) {
+    SCOPED_TRACE(i);
+    const double rim = 1.9, above = 0.02 * (i - 6);
+    const Camera camera{
+        .eye = Vec3(0.3 * i, rim + above, 12), .lookAt = Vec3(0, rim + 0.0011 * i, 0), .fovY = radians(1)};
+    const Scene scene = litEquation({.surface = paraboloid(0.32, rim)}, camera);
+    EXPECT_EQ(verified(takeSnapshot(scene, 0, {96, 16})).verification.coverage.beyond, 0U);
+  }
+}
+
 // Of a cone seen along its axis, a ray's distance from the axis is the only number that matters, and near the
 // apex it is a hundredth of what its equation is made of: the normal turns with what is lost of it.
 TEST_F(ExactEquation, NormalsBesideAnApex) {
