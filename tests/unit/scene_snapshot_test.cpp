@@ -327,8 +327,9 @@ TEST(Snapshot, AMapIsOneLightAndItsTruthAreItsPoints) {
   EXPECT_EQ(approximateShadows(exact), 0U);
   EXPECT_EQ(withoutShadowMaps(map), exact);
   // A planar one is its points from the beginning.
-  light.shadow = S::Planar;
-  Lamp planar = lamp(Vec3(1), light);
+  Light ofPlane = light;
+  ofPlane.shadow = S::Planar;
+  Lamp planar = lamp(Vec3(1), ofPlane);
   const NodeId plane = planar.scene.add(Node{.translation = Vec3(0, -5, 0), .surface = rectangle(40, 40)});
   Node bulb = planar.scene[*planar.scene.findNode("bulb")];
   bulb.light->shadowPlane = plane;
