@@ -31,28 +31,43 @@ real rootOf(Expansion e, real square, real rising) {
 
 #ifdef LUXO_QUADRIC
 
-real3 center() { return real3(0, number(kQuadricCenter), 0); }
+// Read once: a driver reads memory as often as it is asked to.
+real3 quadricSquares, quadricLinear, quadricCenter, quadricLowest, quadricHighest;
+real quadricConstant;
+
+void readEquation() {
+  quadricSquares = number3(kQuadricSquares);
+  quadricLinear = real3(0, number(kQuadricHalfY), 0);
+  quadricConstant = number(kQuadricConstant);
+  quadricCenter = real3(0, number(kQuadricCenter), 0);
+  quadricLowest = number3(kEquationLowest);
+  quadricHighest = number3(kEquationHighest);
+}
+
+real3 center() { return quadricCenter; }
 
 // Of a point from the centre on.
 Expansion expansionAt(real3 p, real3 way) {
-  real3 squares = number3(kQuadricSquares);
-  real3 linear = real3(0, number(kQuadricHalfY), 0), half_ = squares * p + linear;
-  return Expansion(dot(p, half_ + linear) + number(kQuadricConstant), dot(half_, way), dot(squares * way, way), half_);
+  real3 half_ = quadricSquares * p + quadricLinear;
+  return Expansion(dot(p, half_ + quadricLinear) + quadricConstant, dot(half_, way), dot(quadricSquares * way, way), half_);
 }
 
 // Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is
-// beyond an edge by less on the screen than the tolerance is the patch's: along the surface, where dF is 0, which what ends at
-// heights is also sideways, and the others up or down. A plane's other root is infinitely far away.
+// beyond an edge by less on the screen than the tolerance is the patch's: both straight to there, and along the surface, where dF
+// is 0, so that what ends at heights goes on sideways, and the others up or down. (Either may be along the ray, and show nothing
+// on the screen.) A plane's other root is infinitely far away.
 bool isSeen(Ray ray, real3 p) {
   real depth = depthOf(p + center()), radius = sqrt(p.x * p.x + p.z * p.z);
   real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
-  real3 beyond = max(max(number3(kEquationLowest) - q, q - number3(kEquationHighest)), real3(0));
+  real3 beyond = max(max(quadricLowest - q, q - quadricHighest), real3(0));
   if (has(kRadial)) beyond = real3(p.x * beyond.x, radius * beyond.y, p.z * beyond.x) / max(radius, kSmallest);
-  real3 gradient = number3(kQuadricSquares) * p + real3(0, number(kQuadricHalfY), 0);
+  real3 gradient = quadricSquares * p + quadricLinear;
   real sideways = gradient.y * beyond.y / max(dot(gradient.xz, gradient.xz), kSmallest);
   real up = dot(gradient.xz, beyond.xz) / (abs(gradient.y) > kSmallest ? gradient.y : kSmallest);
-  beyond -= real3(sideways * gradient.x, up, sideways * gradient.z);
-  real onScreen = max(abs(dot(ray.across1, beyond)), abs(dot(ray.across2, beyond)));
+  real3 on = real3(sideways * gradient.x, up, sideways * gradient.z);
+  real2 straight = real2(dot(ray.across1, beyond), dot(ray.across2, beyond));
+  real2 along = straight - real2(dot(ray.across1, on), dot(ray.across2, on)), most = max(abs(straight), abs(along));
+  real onScreen = max(most.x, most.y);
   return onScreen <= toleranceAt(depth) && depth < 1e30 && inDepthRange(depth);
 }
 
@@ -85,37 +100,44 @@ real mostBend(Expansion e, real3 p) { return abs(e.a); }
 
 real3 center() { return real3(0); }
 
+real torusRing, torusTube;
+
+void readEquation() {
+  torusRing = number(kTorusRing);
+  torusTube = number(kTorusTube);
+}
+
 // F = (distance from the axis - ring)^2 + y^2 - tube^2: unlike the quartic it loses no digits.
 Expansion expansionAt(real3 p, real3 way) {
-  real radius2 = max(dot(p.xz, p.xz), kSmallest), perRadius = inversesqrt(radius2), tube = number(kTorusTube);
+  real radius2 = max(dot(p.xz, p.xz), kSmallest), perRadius = inversesqrt(radius2);
   real2 outward = p.xz * perRadius;
-  real off = radius2 * perRadius - number(kTorusRing), rate = dot(outward, way.xz);
+  real off = radius2 * perRadius - torusRing, rate = dot(outward, way.xz);
   real3 half_ = real3(off * outward.x, p.y, off * outward.y);
   real turning = dot(way.xz, way.xz) - rate * rate;  // squared
-  return Expansion(off * off + (p.y - tube) * (p.y + tube), dot(half_, way),
+  return Expansion(off * off + (p.y - torusTube) * (p.y + torusTube), dot(half_, way),
                    rate * rate + off * turning * perRadius + way.y * way.y, half_);
 }
 
 // A ray that leaves, or passes by, may meet the surface farther on as long as it is in the slab: it is followed.
 int findOnRay(Ray ray, real3 way, real metre, real outer, inout real rising, inout real3 p, inout Expansion e) {
-  real ring = number(kTorusRing), tube = number(kTorusTube), most = sqrt(tube * ring), stride = kStride * tube;
+  real most = sqrt(torusTube * torusRing), stride = kStride * torusTube;
   real slab = varyingClip.z * metre;
-  real outsideSlab = slab * (2.0 * tube + (rising < 0.0 ? slab : -min(slab, tube)));  // from |F| on
-  real far = 2.0 * toleranceAt(depthOf(p)) * metre * tube, last = 0.0;
+  real outsideSlab = slab * (2.0 * torusTube + (rising < 0.0 ? slab : -min(slab, torusTube)));  // from |F| on
+  real far = 2.0 * toleranceAt(depthOf(p)) * metre * torusTube, last = 0.0;
   bool wasGood = false, follows = false;
   // Entering, and dipping deeper than the slab, the ray leaves that before it comes out: another fragment's.
-  real depth = min(slab, tube), bottom = depth * (2.0 * tube - depth);
+  real depth = min(slab, torusTube), bottom = depth * (2.0 * torusTube - depth);
   if (rising > 0.0 && e.c > 0.0 && e.b < 0.0 && squareOf(e) > e.a * bottom) return kMissed;
   for (int i = 0; i < kMaxSteps; ++i) {
     if (ends(abs(e.c) <= far && e.b * rising > 0.0, abs(e.c) <= kFine * far, wasGood)) return kFound;
     real square = squareOf(e), t = rootOf(e, square, rising);
     bool leaves = e.c * rising < 0.0 && e.b * rising <= 0.0;
-    bool passes = square < 0.0 && abs(t) < kSettledPart * tube;
+    bool passes = square < 0.0 && abs(t) < kSettledPart * torusTube;
     follows = passes || (leaves && (follows || i == 0));
     if ((follows && leaves && abs(e.c) > outsideSlab) || (passes && e.c * rising > 0.0)) return kMissed;
     if (t * last < 0.0 && abs(t) > most) most *= 0.5;  // or it might go to and fro for ever
     last = follows ? stride : clamp(t, -most, most);
-    if (follows) stride = min(2.0 * stride, kMaxStride * ring);
+    if (follows) stride = min(2.0 * stride, kMaxStride * torusRing);
     p += last * way;
     e = expansionAt(p, way);
   }
@@ -128,16 +150,16 @@ real3 startOfSearch() { return real3(startAtEntry()); }
 // half of what it is, the ring no farther off than it is and half of it.
 real mostBend(Expansion e, real3 p) {
   real radius = sqrt(p.x * p.x + p.z * p.z);
-  return 2.0 + 2.0 * abs(radius - number(kTorusRing)) / max(radius, kSmallest);
+  return 2.0 + 2.0 * abs(radius - torusRing) / max(radius, kSmallest);
 }
 
 // Whether the ray leaves the slab behind a root before it can meet the torus again: t behind it |F| is at least
 // 2 b t - B t^2, as at isFirst().
 bool leavesBehind(real3 p, Expansion e, real metre) {
-  real tube = number(kTorusTube), ring = number(kTorusRing), slab = varyingClip.z * metre, inside = min(slab, tube);
-  real height = e.b > 0.0 ? slab * (2.0 * tube + slab) : inside * (2.0 * tube - inside), most = height / max(abs(e.b), kSmallest);
+  real slab = varyingClip.z * metre, inside = min(slab, torusTube);
+  real height = e.b > 0.0 ? slab * (2.0 * torusTube + slab) : inside * (2.0 * torusTube - inside), most = height / max(abs(e.b), kSmallest);
   real radius = length(p.xz), least = max(radius - most, kSmallest);
-  real bend = e.b > 0.0 ? max(ring - least, 0.0) / least : 1.0 + (abs(radius - ring) + most) / least;
+  real bend = e.b > 0.0 ? max(torusRing - least, 0.0) / least : 1.0 + (abs(radius - torusRing) + most) / least;
   return bend * height < e.b * e.b;
 }
 
@@ -151,13 +173,13 @@ bool leavesBehind(real3 p, Expansion e, real metre) {
 // at least -(ring - r) / r, or 0, and at most 1 + |r - ring| / r, r being the distance from the axis; on the way that is no
 // less than the lesser of both ends but half the way, and no farther from the ring than the farther of both and half.
 bool isFirst(real3 entry, real3 p, real3 way, Expansion e) {
-  real far = dot(p - entry, way), left = abs(far), ring = number(kTorusRing);
+  real far = dot(p - entry, way), left = abs(far);
   real3 onward = far < 0.0 ? -way : way;
   Expansion at = expansionAt(entry, onward);
   real side = at.c < 0.0 ? -1.0 : 1.0, radiusHere = length(entry.xz), radiusThere = length(p.xz);
   real least = max(min(radiusHere, radiusThere) - 0.5 * left, kSmallest);
-  real farthest = max(abs(radiusHere - ring), abs(radiusThere - ring)) + 0.5 * left;
-  real bend = side < 0.0 ? 1.0 + farthest / least : max(ring - least, 0.0) / least;
+  real farthest = max(abs(radiusHere - torusRing), abs(radiusThere - torusRing)) + 0.5 * left;
+  real bend = side < 0.0 ? 1.0 + farthest / least : max(torusRing - least, 0.0) / least;
   left -= 2.0 * max(-side * dot(e.half_, onward), 0.0) / max(bend, kSmallest);
   bool first = gl_FrontFacing && far <= 0.0;
   real3 q = entry;
@@ -184,6 +206,7 @@ vec3 outwardOf(vec3 gradient) {
 int rootOfPixel(out Root root) {
   readSurface();
   if (isLeftOut()) return kMissed;
+  readEquation();
   Ray ray = rayOfPixel();
   // Begins where the ray is nearest to a point: of a torus the shell's, of a quadric the centre, so that it is found to
   // the same bits whatever the ray comes in by. In metres: a pixel is `metre` wide, times the depth.
