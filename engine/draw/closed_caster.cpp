@@ -13,20 +13,23 @@ namespace {
 constexpr double kEquationRounding = 0x1p-21;
 /// A light this near to the surface, of what F is a sum of, does not tell its side.
 constexpr double kOnSurface = 1e-6;
+/// Of the distances involved: much more than a place's way through matrices of doubles loses.
+constexpr double kLostOfPlaces = 1e-8;
 /// Of the ring: in the narrow middle of a torus with less room than that steps are short.
 constexpr double kWidestTube = 0.9;
 
 constexpr double kNowhere = 1e30;
 
-/// F at the light, or its sign toward one at infinity; 0 where that is not clear.
-double quadricAt(const shared::ClosedCaster& caster, const Vec4& light) {
-  const Vec3 squares(caster.squares), at(light);
+/// F at the light, or its sign toward one at infinity; 0 where that is not clear. Of one in a place doubles
+/// may have lost `lost`: at an apex F is 0, and so is all that it is a sum of.
+double quadricAt(const shared::ClosedCaster& caster, const Vec4& light, const Vec3& lost) {
+  const Vec3 squares(caster.squares), at(light), near = glm::abs(at) + light.w * lost;
   const double halfY = caster.halfY, constant = caster.constant;
   const bool flat = squares == Vec3(0);
-  double of = glm::dot(squares * at, at), size = glm::dot(glm::abs(squares) * at, at);
+  double of = glm::dot(squares * at, at), size = glm::dot(glm::abs(squares) * near, near);
   if (light.w != 0) {
     of += 2 * halfY * at.y + constant;
-    size += 2 * std::abs(halfY * at.y) + std::abs(constant);
+    size += 2 * std::abs(halfY) * near.y + std::abs(constant);
   } else if (flat) {
     of = halfY * at.y;
     size = std::abs(halfY) * glm::length(at);
@@ -81,7 +84,10 @@ std::optional<ClosedCaster> closedCaster(const Snapshot& snapshot, const Snapsho
   caster.halfY = static_cast<float>(0.5 * equation.y + equation.yy * center);
   caster.constant = static_cast<float>(equation.constant + (equation.y + equation.yy * center) * center);
   caster.tube = static_cast<float>(equation.tube);
-  caster.atLight = static_cast<float>(torus ? torusAt(equation.tube, at) : quadricAt(caster, at));
+  const Vec3 lost =
+      kLostOfPlaces * (Vec3(equation.reach + std::abs(center)) +
+                       lengths * (glm::length(Vec3(light)) + glm::length(node.worldFromObject.translation)));
+  caster.atLight = static_cast<float>(torus ? torusAt(equation.tube, at) : quadricAt(caster, at, lost));
   caster.lowest = Vec3f(glm::max(known->edges.min - middle, Vec3(-kNowhere)));
   caster.highest = Vec3f(glm::min(known->edges.max - middle, Vec3(kNowhere)));
   caster.rounding = Vec3f(kEquationRounding * (glm::abs(from) + equation.reach + std::abs(center)) +

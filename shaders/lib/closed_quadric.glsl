@@ -27,7 +27,8 @@ struct RayEnd {
 
 // 1: the point at t, which may be off by `dt`, is one of the patch; -1: it is not; 0: floats do not tell.
 int insideAt(ClosedCaster caster, RayEnd end, float t, float dt) {
-  if (kIsBall) return dt < 1e30 ? 1 : 0;
+  if (!(dt < 1e30)) return 0;
+  if (kIsBall) return 1;
   vec3 p = end.from + t * end.way, e = 2.0 * (end.e + abs(t) * end.eOfWay) + abs(end.way) * (dt + kUlps * abs(t));
   if ((caster.flags & kRadialCaster) != 0) {
     p = vec3(length(p.xz), p.y, 0);
@@ -64,7 +65,9 @@ int meetsQuadric(ClosedCaster caster, ClosedRay ray) {
   float ebOfOwn = eb + dot(AD + AQ, ray.off) + abs(l) * ray.off.y;
 
   vec3 light = caster.light.xyz, m = cross(q, light), AA = A.yzx * A.zxy;
-  vec3 em = 2.0 * (abs(light.yzx) * e.zxy + abs(light.zxy) * e.yzx), M = abs(m) + em;
+  // Where a number of the light is next to 0, what doubles leave of it is still a part of the distances involved.
+  vec3 nearLight = abs(light) + caster.light.w * e;
+  vec3 em = 2.0 * (nearLight.yzx * e.zxy + nearLight.zxy * e.yzx), M = abs(m) + em;
   float square = -k * a - dot(AA * m, m), eSquare = dot(abs(AA) * M, em) + abs(k) * dot(AD, ed);
   if (kHasLinear) {
     square += l * (2.0 * (Ad.x * m.z - Ad.z * m.x) + l * d.y * d.y);
@@ -86,18 +89,18 @@ int meetsQuadric(ClosedCaster caster, ClosedRay ray) {
   bool fromLight = caster.light.w != 0.0 && !ray.isOwn && !touches &&
                    dot(size * light, light) + abs(l * light.y) < dot(AQ, abs(q)) + abs(l * q.y);
   if (fromLight) {
-    end = RayEnd(light, -d, 2.0 * kUlps * abs(light), e);
+    end = RayEnd(light, -d, 2.0 * kUlps * nearLight, e);
     b = -dot(Ad, light) - l * d.y;
     c = caster.atLight;
     eb = dot(AD, end.e) + dot(size * abs(light), ed) + abs(l) * ed.y;
-    ec = kUlps * abs(c);
+    ec = kUlps * (dot(size * light, light) + 2.0 * abs(l * light.y) + abs(k));  // its coefficients are floats
   }
   float root = sqrt(max(square, 0.0)), perRoot = 1.0 / max(root, kTiny), perA = 1.0 / a;
   // The roots where F turns to the light's sign, and where it turns away from that. Of the two ways to write a root the one
   // that cancels nothing; of a point of the surface itself the root that is not 0.
   float turned = fromLight ? -sign_ * root : sign_ * root, large = b > 0.0 ? b + root : b - root;
   float first = -large * perA, second = ray.isOwn ? first : -c / large;
-  bool isSecond = b * turned > 0.0;
+  bool isSecond = b > 0.0 == turned > 0.0;  // as `large` does, where b is 0
   float to = isSecond ? second : first, away = isSecond ? first : second;
 
   // What of a meeting at `to` there is; and at another one: where the point lies on the surface within rounding, that is no
