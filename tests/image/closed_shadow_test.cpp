@@ -91,6 +91,38 @@ TEST_F(ClosedShadowTest, OfRandomCastersAreTheTruth) {
 }
 
 /// No grid, no cells: nothing is made for the shadow of what has an equation.
+/// Lamps before the end of a rod, in the plane of a rim, and on an apex, over a floor that is far away: the
+/// light is followed from the lamp, where floats know it best. From the floor the borders were left to rays,
+/// for the rod 451 pixels of 76,800.
+TEST_F(ClosedShadowTest, OfLampsAtTheirEndsAreTheTruth) {
+  struct Lamp {
+    int kind;
+    Vec3 at;
+    std::uint64_t rays;  // at most: twice as many as measured, where there are some
+  };
+  const double apex = 1.4, rim = 1.5;
+  for (const Lamp& lamp :
+       {Lamp{1, {0.3, rim + 0.05, 0.2}, 4}, Lamp{1, {0.7, rim, 0}, 4}, Lamp{1, {0.61, 0.7, 0}, 4},
+        Lamp{2, {0, apex + 0.02, 0}, 84}, Lamp{2, {0, apex, 0}, 19'200}, Lamp{2, {1.1, 0, 0.1}, 4},
+        Lamp{6, {0.1, 1.02, 0}, 4}, Lamp{6, {0.3, 0.5, 0.2}, 4}, Lamp{7, {0.2, 0.9, 0.4}, 4}}) {
+    SCOPED_TRACE(
+        fmt::format("{}, at ({}, {}, {})", kKinds[std::size_t(lamp.kind)], lamp.at.x, lamp.at.y, lamp.at.z));
+    const Scene scene =
+        buildScene(parseScene(fmt::format(R"({{ "luxo": 1, "render": {{ "ambient": 0.1 }},
+          "surfaces": {{ "caster": {{ {} }}, "floor": {{ "type": "rectangle", "size": [400, 400] }} }},
+          "camera": {{ "eye": [9, 14, 25], "look_at": [0, -6, 0], "fov_y": "50deg" }},
+          "nodes": [ {{ "surface": "floor", "translate": [0, -9, 0] }},
+                     {{ "surface": "caster", "rotate": {{ "axis": [1, 0, 0.4], "angle": 0.3 }}, "children": [
+                       {{ "translate": [{}, {}, {}], "light": {{ "intensity": 1, "shadow": "exact" }} }} ] }} ] }})",
+                                          kKinds[std::size_t(lamp.kind)], lamp.at.x, lamp.at.y, lamp.at.z),
+                              "lamp"));
+    const Verified found = verified(takeSnapshot(scene, 0, {160, 120}));
+    EXPECT_EQ(found.verification.wrong.total(), 0U);
+    EXPECT_EQ(found.statistics.error.unconvergedPx, 0U);
+    EXPECT_LE(found.statistics.error.shadowRaysPx, lamp.rays);
+  }
+}
+
 TEST_F(ClosedShadowTest, MakeNothing) {
   const auto made = [&](const char* type, const char* light) {
     const Scene scene =
