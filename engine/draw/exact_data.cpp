@@ -108,6 +108,39 @@ Rounding singlePrecisionPx(const View& view, const SnapshotNode& node, const She
   return rounding;
 }
 
+constexpr double kNoEdge = 1e30;
+/// Of a cone's numbers, what rounding leaves at the apex, where all is 0.
+constexpr double kNoWaist = 1e-12;
+
+struct Ends {
+  Box edges;            ///< metres, as Equation::edgesOf()
+  bool radial = false;  ///< in x: distances from the axis
+};
+
+/// Where a patch ends. A cone that is wider than high ends at distances from the axis, as what is off of a
+/// height is off by more across it; of heights is left on which side of the apex it is.
+Ends endsOf(const Equation& equation, const Domain& domain) {
+  Ends ends{equation.edgesOf(domain), equation.isRadial()};
+  const bool isSteep = std::sqrt(std::max(-equation.yy, 0.0)) * equation.scale.x < equation.scale.y;
+  if (equation.form() != Equation::Form::Quadric || equation.v.along != Equation::Along::Y || isSteep ||
+      !(equation.yy < 0) || equation.xx != equation.zz || equation.scale.x != equation.scale.z)
+    return ends;
+  const double apex = -0.5 * equation.y / equation.yy, atApex = equation.constant + 0.5 * equation.y * apex;
+  if (std::abs(atApex) > kNoWaist * std::max(1.0, std::abs(equation.constant))) return ends;
+  const double low = ends.edges.min.y - apex * equation.scale.y,
+               high = ends.edges.max.y - apex * equation.scale.y;
+  const double slack = kNoWaist * (high - low), middle = 0.5 * (low + high);
+  if (std::min(std::abs(low), std::abs(high)) > slack && low * high < 0) return ends;
+  const double radiusPerHeight = std::sqrt(-equation.yy / equation.xx) * equation.scale.x / equation.scale.y;
+  const double least = middle > 0 ? low : -high, most = middle > 0 ? high : -low;
+  ends.radial = true;
+  ends.edges.min.x = radiusPerHeight * std::max(least, 0.0);
+  ends.edges.max.x = radiusPerHeight * most;
+  (middle > 0 ? ends.edges.max.y : ends.edges.min.y) = middle > 0 ? kNoEdge : -kNoEdge;
+  (middle > 0 ? ends.edges.min.y : ends.edges.max.y) = apex * equation.scale.y;
+  return ends;
+}
+
 /// Edges that are points are edges of u or of v, never of both.
 std::uint32_t flagsOf(const ShellPatch& patch) {
   const bool ofU = patch.collapsedUMin || patch.collapsedUMax;
@@ -117,14 +150,13 @@ std::uint32_t flagsOf(const ShellPatch& patch) {
          (patch.collapsedUMin || (!ofU && patch.collapsedVMin) ? shared::kPoleLow : 0) |
          (patch.collapsedUMax || (!ofU && patch.collapsedVMax) ? shared::kPoleHigh : 0) |
          (ofU ? shared::kPolesOfU : 0) | (equation && equation->outward > 0 ? shared::kRisesOutward : 0) |
-         (equation && equation->isRadial() ? shared::kRadial : 0);
+         (equation && endsOf(*equation, patch.domain).radial ? shared::kRadial : 0);
 }
 
 /// What shaders/lib/exact_equation.glsl reads, in metres.
 void appendEquation(const Equation& equation, const Domain& domain, std::vector<double>& numbers) {
   const Vec3& scale = equation.scale;
-  constexpr double kNoEdge = 1e30;
-  const Box edges = equation.edgesOf(domain);
+  const Box edges = endsOf(equation, domain).edges;
   Vec3 lowest = glm::max(edges.min, Vec3(-kNoEdge)), highest = glm::min(edges.max, Vec3(kNoEdge));
 
   const double center = equation.center();

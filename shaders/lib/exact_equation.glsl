@@ -55,14 +55,14 @@ Expansion expansionAt(real3 p, real3 way) {
 // Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is
 // beyond an edge by less on the screen than the tolerance is the patch's: both straight to there, and along the surface, where dF
 // is 0, so that what ends at heights goes on sideways, and the others up or down. (Either may be along the ray, and show nothing
-// on the screen.) A plane's other root is infinitely far away.
+// on the screen. What ends at distances has heights only to tell its sheet.) A plane's other root is infinitely far away.
 bool isSeen(Ray ray, real3 p) {
   real depth = depthOf(p + center()), radius = sqrt(p.x * p.x + p.z * p.z);
   real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
   real3 beyond = max(max(quadricLowest - q, q - quadricHighest), real3(0));
   if (has(kRadial)) beyond = real3(p.x * beyond.x, radius * beyond.y, p.z * beyond.x) / max(radius, kSmallest);
   real3 gradient = quadricSquares * p + quadricLinear;
-  real sideways = gradient.y * beyond.y / max(dot(gradient.xz, gradient.xz), kSmallest);
+  real sideways = has(kRadial) ? 0.0 : gradient.y * beyond.y / max(dot(gradient.xz, gradient.xz), kSmallest);
   real up = dot(gradient.xz, beyond.xz) / (abs(gradient.y) > kSmallest ? gradient.y : kSmallest);
   real3 on = real3(sideways * gradient.x, up, sideways * gradient.z);
   real2 straight = real2(dot(ray.across1, beyond), dot(ray.across2, beyond));
