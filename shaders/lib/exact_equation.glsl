@@ -55,7 +55,7 @@ Expansion expansionAt(real3 p, real3 way) {
 // Cylinders and the like end at heights, others at distances from the axis or, like rectangles, at places. What is
 // beyond an edge by less on the screen than the tolerance is the patch's: both straight to there, and along the surface, where dF
 // is 0, so that what ends at heights goes on sideways, and the others up or down. (Either may be along the ray, and show nothing
-// on the screen. What ends at distances has heights only to tell its sheet.) A plane's other root is infinitely far away.
+// on the screen. What ends at distances has heights only to tell its sheet, which is the right one but for rounding.) A plane's other root is infinitely far away.
 bool isSeen(Ray ray, real3 p) {
   real depth = depthOf(p + center()), radius = sqrt(p.x * p.x + p.z * p.z);
   real3 q = has(kRadial) ? real3(radius, p.y, 0.0) : p;
@@ -68,7 +68,8 @@ bool isSeen(Ray ray, real3 p) {
   real2 straight = real2(dot(ray.across1, beyond), dot(ray.across2, beyond));
   real2 along = straight - real2(dot(ray.across1, on), dot(ray.across2, on)), most = max(abs(straight), abs(along));
   real onScreen = max(most.x, most.y);
-  return onScreen <= toleranceAt(depth) && depth < 1e30 && inDepthRange(depth);
+  bool isOnSheet = !has(kRadial) || beyond.y <= 2.4e-7 * (radius + abs(p.y));
+  return isOnSheet && onScreen <= toleranceAt(depth) && depth < 1e30 && inDepthRange(depth);
 }
 
 // A ray may run around an edge inside the slab: whatever it comes in by, the nearer of both roots is seen.

@@ -68,6 +68,20 @@ TEST_F(ExactEquation, EndsWhereItEndsSeenFromBeside) {
   }
 }
 
+// What floats leave of a flat cone's heights is a hundred times as much across it.
+TEST_F(ExactEquation, FlatConesEndWhereTheyEnd) {
+  for (const double height : {0.1, 0.01, 0.003, 0.001, 0.0003})
+    for (const double top : {0.0, 0.4}) {
+      SCOPED_TRACE(fmt::format("{} high, {} wide at its top", height, top));
+      const Scene scene =
+          litEquation({.rotation = Rotation{{1, 0.3, 0.2}, 0.4}, .surface = cone(1, top, height)},
+                      {.eye = Vec3(0, 3.2, 3.8), .fovY = radians(26)});
+      const Verified found = verified(takeSnapshot(scene, 0, {400, 300}));
+      EXPECT_EQ(found.verification.coverage.beyond, 0U);
+      EXPECT_EQ(found.verification.wrong.total(), 0U);
+    }
+}
+
 // Of a cone seen along its axis, a ray's distance from the axis is the only number that matters, and near the
 // apex it is a hundredth of what its equation is made of: the normal turns with what is lost of it.
 TEST_F(ExactEquation, NormalsBesideAnApex) {
